@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+
+namespace line_plane_segmentation {
+
+enum class ScanDirection : unsigned char { kRow, kColumn };
+
+/// A straight piece of one scanline: the line primitive of the paper.
+struct LineSegment {
+  ScanDirection direction = ScanDirection::kRow;
+  int scanline = 0;  ///< [px] the row (or column) of the image it lies in
+  int first = 0;     ///< [px] column (or row) of its first point
+  int last = 0;      ///< [px] column (or row) of its last point, inclusive
+  int points = 0;    ///< valid pixels between the ends, both included
+
+  /// Polar form in the 2-D scan (Eq. 1-3): Sx cos(alpha) + Sy sin(alpha) = r.
+  double alpha = 0.0;  ///< [rad]
+  double r = 0.0;      ///< [m], not negative
+  Eigen::Matrix2d covariance = Eigen::Matrix2d::Zero();  ///< of (alpha, r), from the noise model (5)
+};
+
+}  // namespace line_plane_segmentation

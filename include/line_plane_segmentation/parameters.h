@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace line_plane_segmentation {
+
+/// Which extraction follows the candidates.
+enum class Method : int {
+  kPaper = 0,     ///< the paper to the letter: fixed distances
+  kAdaptive = 1,  ///< distances that follow the sensor's noise, and the refinement of its result
+};
+
+/// Standard deviation of a depth z along the optical axis, Eq. 5 (after Nguyen et al. 2012):
+/// sigma_z = floor + growth * (z - nearest)^2.
+struct NoiseParameters {
+  double floor = 0.0012;   ///< [m] noise at the nearest distance. Higher -> everything counts as flatter
+  double growth = 0.0019;  ///< [1/m] how fast noise grows. Higher -> more tolerance far away
+  double nearest = 0.4;    ///< [m] where the noise is least
+
+  double sigma(double z) const { return floor + growth * (z - nearest) * (z - nearest); }
+};
+
+/// Which part of the depth image is scanned, and how densely. 0 means: from the image's width.
+struct ScanlineParameters {
+  double min_range = 0.3;    ///< [m] nearer depths count as missing
+  double max_range = 10.0;   ///< [m] farther depths count as missing
+  int scanline_spacing = 0;  ///< [px] between scanlines; paper: 30 (VGA), 20 (QVGA). Higher -> faster, misses small planes
+};
+
+/// Line regression, Algorithm 1. 0 means: from the image's width.
+struct LineParameters {
+  int line_window = 0;  ///< [px] points of a fit, Nf; paper: 11 (VGA), 7 (QVGA). Higher -> smoother, blind to short pieces
+  int min_line_points = 0;  ///< [px] shortest segment, Nl; paper: 30 (VGA), 23 (QVGA). Higher -> fewer, surer candidates
+  double line_fidelity = 3.0;  ///< [-] bound of the Mahalanobis distances of three adjacent windows. Higher -> straighter judged straight
+  double line_noise_factor = 1.0;  ///< [-] noise along the scan as a multiple of Eq. 5. Higher -> coarser quantisation tolerated
+};
+
+/// Candidates by principal component analysis. 0 means: from the image's width.
+struct CandidateParameters {
+  int points_per_segment = 1;  ///< [-] 1, 3 or 5 candidates for each segment. Higher -> slower, finds more small planes
+  int normal_window = 0;  ///< [px] side of the window of the PCA; paper: 20. Higher -> steadier normals, fewer near edges
+  int min_window_points = 0;  ///< [px] valid points that it needs, Ns; paper: 240. Higher -> no candidate near holes
+  double max_curvature = 0.05;  ///< [-] smallest eigenvalue over the sum. Higher -> rougher places may start a plane
+};
+
+/// Recursive extraction, Algorithm 2. 0 means: from the image's width.
+struct ExtractionParameters {
+  double plane_distance = 0.02;  ///< [m] a point's distance to its plane, delta_d. Higher -> thicker planes, that swallow their neighbours
+  double neighbor_distance = 0.03;  ///< [m] between neighbours of one plane, delta_n. Higher -> bridges gaps and steps
+  double distance_noise_factor = 3.0;  ///< [-] method adaptive: both distances are at least so many sigma_z (Eq. 5). Higher -> far planes stay whole
+  int min_plane_inliers = 0;  ///< [px] smallest plane, N; paper: 5000 (VGA), 1000 (QVGA). Higher -> only large planes
+  double min_plane_area = 0.0;  ///< [m²] smallest plane; 0 = no such limit. Higher -> only large planes
+};
+
+/// Outline polygons.
+struct OutlineParameters {
+  bool trace_outlines = true;  ///< polygons of the planes; off -> faster, empty outlines
+  double outline_tolerance = 2.0;  ///< [px] largest distance of the border to its polygon. Higher -> fewer vertices
+  int min_hole_pixels = 100;  ///< [px] smaller holes are closed. Higher -> simpler polygons
+};
+
+/// All parameters of the method with their defaults: those of a Kinect or Xtion.
+struct Parameters {
+  Method method = Method::kAdaptive;
+  NoiseParameters noise;
+  ScanlineParameters scanlines;
+  LineParameters lines;
+  CandidateParameters candidates;
+  ExtractionParameters extraction;
+  OutlineParameters outlines;
+};
+
+/// Calls `visitor(name, value, min, max)` for every parameter, `value` being a reference to an int,
+/// double, bool or Method: the one list of the parameters' public names and bounds, which the command line,
+/// dynamic_reconfigure and the tests go by.
+template <typename ParametersType, typename Visitor>
+void visitParameters(ParametersType& p, Visitor&& visitor) {
+  visitor("method", p.method, Method::kPaper, Method::kAdaptive);
+  visitor("noise_floor", p.noise.floor, 1e-5, 0.1);
+  visitor("noise_growth", p.noise.growth, 0.0, 0.1);
+  visitor("noise_nearest", p.noise.nearest, 0.0, 5.0);
+  visitor("min_range", p.scanlines.min_range, 0.0, 100.0);
+  visitor("max_range", p.scanlines.max_range, 0.1, 1000.0);
+  visitor("scanline_spacing", p.scanlines.scanline_spacing, 0, 200);
+  visitor("line_window", p.lines.line_window, 0, 101);
+  visitor("min_line_points", p.lines.min_line_points, 0, 1000);
+  visitor("line_fidelity", p.lines.line_fidelity, 0.01, 1000.0);
+  visitor("line_noise_factor", p.lines.line_noise_factor, 0.1, 100.0);
+  visitor("points_per_segment", p.candidates.points_per_segment, 1, 5);
+  visitor("normal_window", p.candidates.normal_window, 0, 200);
+  visitor("min_window_points", p.candidates.min_window_points, 0, 40000);
+  visitor("max_curvature", p.candidates.max_curvature, 1e-5, 1.0 / 3.0);
+  visitor("plane_distance", p.extraction.plane_distance, 1e-4, 0.5);
+  visitor("neighbor_distance", p.extraction.neighbor_distance, 1e-4, 1.0);
+  visitor("distance_noise_factor", p.extraction.distance_noise_factor, 0.0, 20.0);
+  visitor("min_plane_inliers", p.extraction.min_plane_inliers, 0, 1000000);
+  visitor("min_plane_area", p.extraction.min_plane_area, 0.0, 100.0);
+  visitor("trace_outlines", p.outlines.trace_outlines, false, true);
+  visitor("outline_tolerance", p.outlines.outline_tolerance, 0.5, 20.0);
+  visitor("min_hole_pixels", p.outlines.min_hole_pixels, 0, 1000000);
+}
+
+/// Brings every parameter within its bounds, a NaN to its default, points_per_segment to 1, 3 or 5,
+/// and min_range below max_range.
+/// @return one line for each value that was changed, which names it; empty if none was
+std::vector<std::string> sanitize(Parameters& parameters);
+
+/// Fills in every parameter that is 0 for "from the image's width": the paper's values at 640 and at
+/// 320 pixels, between them interpolated, beyond them scaled so that the method looks at the same
+/// part of the view.
+/// @param width  [px], at least 1
+Parameters resolve(const Parameters& parameters, int width);
+
+/// The parameters of a preset: "kinect" (the defaults), "short_range" (scanners with millimetre steps
+/// and small parts), "paper" (the published method to the letter).
+/// @return false, and `parameters` unchanged, if there is no preset of that name
+bool loadPreset(const std::string& name, Parameters& parameters);
+
+/// Sets one parameter from text, "0.02", "true", "paper".
+/// @return an empty string, or what is wrong with `name` or `value`
+std::string setParameter(const std::string& name, const std::string& value, Parameters& parameters);
+
+}  // namespace line_plane_segmentation

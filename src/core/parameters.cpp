@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "line_plane_segmentation/parameters.h"
+
+#include <algorithm>
+#include <cmath>
+#include <locale>
+#include <sstream>
+#include <type_traits>
+
+namespace line_plane_segmentation {
+namespace {
+
+// The paper's values at its two image widths. `exponent` tells how the value goes with the width beyond them.
+int fromWidth(double at_qvga, double at_vga, double exponent, int width) {
+  const double w = width;
+  double value = 0.0;
+  if (w <= 320.0) {
+    value = at_qvga * std::pow(w / 320.0, exponent);
+  } else if (w >= 640.0) {
+    value = at_vga * std::pow(w / 640.0, exponent);
+  } else {
+    value = at_qvga * std::pow(at_vga / at_qvga, std::log2(w / 320.0));
+  }
+  return std::max(1, static_cast<int>(std::lround(value)));
+}
+
+void setIfZero(int& value, int automatic) {
+  if (value == 0) value = automatic;
+}
+
+template <typename T>
+bool parse(const std::string& text, T& value) {
+  std::istringstream stream(text);
+  stream.imbue(std::locale::classic());
+  T parsed{};
+  if (!(stream >> parsed) || !(stream >> std::ws).eof()) return false;
+  value = parsed;
+  return true;
+}
+
+bool parse(const std::string& text, bool& value) {
+  if (text != "true" && text != "false" && text != "1" && text != "0") return false;
+  value = text == "true" || text == "1";
+  return true;
+}
+
+bool parse(const std::string& text, Method& value) {
+  if (text != "paper" && text != "adaptive") return false;
+  value = text == "paper" ? Method::kPaper : Method::kAdaptive;
+  return true;
+}
+
+template <typename T>
+std::string toText(T value) {
+  std::ostringstream stream;
+  stream.imbue(std::locale::classic());
+  stream << std::boolalpha << value;
+  return stream.str();
+}
+
+std::string toText(Method method) { return method == Method::kPaper ? "paper" : "adaptive"; }
+
+}  // namespace
+
+std::vector<std::string> sanitize(Parameters& parameters) {
+  std::vector<std::string> changes;
+  const auto changed = [&changes](const std::string& name, const std::string& from, const std::string& to) {
+    changes.push_back(name + " was " + from + ", is now " + to);
+  };
+
+  Parameters defaults;
+  std::vector<double> default_values;
+  visitParameters(defaults, [&](const char*, const auto& value, auto, auto) {
+    default_values.push_back(static_cast<double>(value));
+  });
+
+  std::size_t index = 0;
+  visitParameters(parameters, [&](const char* name, auto& value, auto min, auto max) {
+    using T = std::decay_t<decltype(value)>;
+    const T given = value;
+    const T fallback = static_cast<T>(default_values[index++]);
+    if (std::isnan(static_cast<double>(given))) value = fallback;
+    value = std::min(std::max(value, static_cast<T>(min)), static_cast<T>(max));
+    if (!(value == given)) changed(name, toText(given), toText(value));
+  });
+
+  int& points = parameters.candidates.points_per_segment;
+  if (points % 2 == 0) {
+    changed("points_per_segment", toText(points), toText(points - 1));
+    --points;
+  }
+  ScanlineParameters& range = parameters.scanlines;
+  if (range.min_range >= range.max_range) {
+    changed("min_range", toText(range.min_range), toText(0.0));
+    range.min_range = 0.0;
+  }
+  return changes;
+}
+
+Parameters resolve(const Parameters& parameters, int width) {
+  Parameters p = parameters;
+  const int w = std::max(width, 1);
+  setIfZero(p.scanlines.scanline_spacing, fromWidth(20, 30, 1.0, w));
+  setIfZero(p.lines.line_window, std::max(5, fromWidth(7, 11, 1.0, w) | 1));
+  setIfZero(p.lines.min_line_points, fromWidth(23, 30, 1.0, w));
+  setIfZero(p.candidates.normal_window, std::max(6, fromWidth(20, 20, 1.0, w)));
+  setIfZero(p.candidates.min_window_points,
+            static_cast<int>(std::lround(0.6 * p.candidates.normal_window * p.candidates.normal_window)));
+  setIfZero(p.extraction.min_plane_inliers, fromWidth(1000, 5000, 2.0, w));
+  return p;
+}
+
+bool loadPreset(const std::string& name, Parameters& parameters) {
+  if (name == "kinect") {
+    parameters = Parameters{};
+  } else if (name == "paper") {
+    parameters = Parameters{};
+    parameters.method = Method::kPaper;
+  } else if (name == "short_range") {
+    parameters = Parameters{};
+    parameters.noise = {0.0005, 0.0, 0.4};
+    parameters.extraction.plane_distance = 0.003;
+    parameters.extraction.neighbor_distance = 0.005;
+    parameters.extraction.min_plane_inliers = 500;
+  } else {
+    return false;
+  }
+  return true;
+}
+
+std::string setParameter(const std::string& name, const std::string& value, Parameters& parameters) {
+  std::string problem = "no parameter is named '" + name + "'";
+  visitParameters(parameters, [&](const char* known, auto& field, auto min, auto max) {
+    if (name != known) return;
+    using T = std::decay_t<decltype(field)>;
+    T parsed{};
+    if (!parse(value, parsed)) {
+      problem = "'" + value + "' is no value for " + name;
+    } else if (!(parsed >= static_cast<T>(min) && parsed <= static_cast<T>(max))) {
+      problem = name + " = " + value + " is outside " + toText(static_cast<T>(min)) + " to " + toText(static_cast<T>(max));
+    } else {
+      field = parsed;
+      problem.clear();
+    }
+  });
+  return problem;
+}
+
+}  // namespace line_plane_segmentation
