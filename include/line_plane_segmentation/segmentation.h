@@ -13,8 +13,9 @@ struct Ring {
   int vertex_count = 0;  ///< at least 3; the first vertex is not repeated at the end
 };
 
-/// A plane of the picture: all p with normal . p + d = 0, in the optical frame.
-struct Plane {
+/// A plane of the picture: all p with normal . p + d = 0, in the optical frame. Not called Plane, since
+/// the package's message has that name in this namespace, and programs include both.
+struct SegmentedPlane {
   std::uint16_t label = 0;  ///< the value of its pixels in Segmentation::labels, from 1
   Eigen::Vector3d normal = Eigen::Vector3d::Zero();  ///< unit, toward the camera
   double d = 0.0;                                    ///< [m] distance to the camera, not negative
@@ -39,7 +40,7 @@ struct Segmentation {
   int width = 0;   ///< [px]
   int height = 0;  ///< [px]
   std::vector<std::uint16_t> labels;  ///< width * height, row by row; 0 = no plane
-  std::vector<Plane> planes;          ///< planes[k - 1] has label k
+  std::vector<SegmentedPlane> planes;  ///< planes[k - 1] has label k
   std::vector<Ring> rings;
   std::vector<Eigen::Vector3f> vertices;  ///< [m] on the planes, in the optical frame
   std::uint32_t valid_pixels = 0;         ///< pixels with a depth in range
