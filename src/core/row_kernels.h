@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+
+/// The loops over the pixels of a row that all the time goes into, each simple enough for the compiler to vectorise.
+namespace line_plane_segmentation {
+
+/// Distance of a pixel's point to a plane, n . p + d = z (a + b x) + d, where x = (u - cx) / fx, b = nx and
+/// a = ny (v - cy) / fy + nz are the same for the whole row.
+inline float planeDistance(float z, float x, float a, float b, float d) { return z * (a + b * x) + d; }
+
+/// mask[i] = 1 where z[i] is a depth whose point lies nearer than `threshold` to the plane, else 0.
+void markInliers(const float* z, const float* x, int count, float a, float b, float d, float threshold,
+                 std::uint8_t* mask);
+
+/// Squared distance [m²] between the points of depths z0 and z1 on the rays (x0, y0, 1) and (x1, y1, 1).
+inline float squaredDistance(float z0, float x0, float y0, float z1, float x1, float y1) {
+  const float dx = z1 * x1 - z0 * x0, dy = z1 * y1 - z0 * y0, dz = z1 - z0;
+  return dx * dx + dy * dy + dz * dz;
+}
+
+/// Bits of links[i].
+constexpr std::uint8_t kLinkRight = 1;  ///< the pixel and its right neighbour are nearer than the bound
+constexpr std::uint8_t kLinkDown = 2;   ///< the pixel and the one below are nearer than the bound
+
+/// Which pixels of a row are linked to their right and lower neighbours. `below` may be null (the last row).
+/// @param y, y_below  rays of the two rows
+/// @param bound       [m²] squared neighbour distance
+void linkNeighbors(const float* z, const float* below, const float* x, float y, float y_below, int count, float bound,
+                   std::uint8_t* links);
+
+}  // namespace line_plane_segmentation
