@@ -1,0 +1,122 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""Runs the tests of a build folder and counts their cases; called by scripts/test.
+
+ctest knows every registered test and its exit code, the xunit files of gtest and rostest know the cases. Both
+are needed: a program that dies after its last case leaves a clean file, one that dies before leaves none.
+"""
+
+import argparse
+import collections
+import json
+import pathlib
+import re
+import subprocess
+import sys
+import xml.etree.ElementTree as ElementTree
+
+# Longer than rostest's own limits, which end a test in an orderly way.
+TIMEOUT_SECONDS = 900
+
+Case = collections.namedtuple("Case", "name outcome message")
+
+
+def read_cases(path):
+    """The cases of an xunit file; a file that is missing or cut off is one failed case."""
+    try:
+        root = ElementTree.parse(path).getroot()
+    except (OSError, ElementTree.ParseError) as error:
+        return [Case(path.stem, "failed", "no readable result: %s" % error)]
+    return [read_case(path, element) for element in root.iter("testcase")]
+
+
+def read_case(path, element):
+    name = "%s: %s.%s" % (path.stem, element.get("classname", ""), element.get("name", ""))
+    problems = [child for child in element if child.tag in ("failure", "error")]
+    if problems:
+        text = "\n".join(p.text or p.get("message") or "" for p in problems)
+        return Case(name, "failed", text.strip())
+    skipped = element.find("skipped")
+    if skipped is not None:
+        return Case(name, "skipped", (skipped.get("message") or skipped.text or "").strip())
+    if element.get("result") == "skipped" or element.get("status") == "notrun":
+        return Case(name, "skipped", "disabled" if element.get("status") == "notrun" else "")
+    return Case(name, "passed", "")
+
+
+def rostest_cases(path, seen):
+    """The cases behind a rostest: its own file has one case for each test program, which only says whether the
+    program left a result, and names the file with what the program tested."""
+    cases = [case for case in read_cases(path) if case.outcome != "passed"]
+    text = path.read_text(errors="replace") if path.exists() else ""
+    for inner in re.findall(r"results are in \[([^\]]+)\]", text):
+        if inner in seen:
+            cases.append(Case(inner, "failed", "a second test has the same test-name: it overwrote this result"))
+            continue
+        seen.add(inner)
+        cases += read_cases(pathlib.Path(inner))
+    return cases
+
+
+def result_file(test):
+    """The xunit file that catkin has a ctest entry write, None for an entry that only has an exit code."""
+    command = test.get("command", [])
+    for word, following in zip(command, command[1:]):
+        if word.endswith("/run_tests.py"):
+            return pathlib.Path(following)
+    return None
+
+
+def cases_of(test, failed_tests, seen):
+    """All cases of one ctest entry: at least one, and at least one failed if ctest says so."""
+    name, path = test["name"], result_file(test)
+    if path is None:
+        return [Case(name, "failed", "it ended with an error") if name in failed_tests else Case(name, "passed", "")]
+    cases = rostest_cases(path, seen) if path.name.startswith("rostest-") else read_cases(path)
+    if name in failed_tests and not any(case.outcome == "failed" for case in cases):
+        cases.append(Case(name, "failed", "it ended with an error, though no case of it failed"))
+    if not cases:
+        cases.append(Case(name, "failed", "it ran no case at all"))
+    return cases
+
+
+def run_ctest(build, selection):
+    """Runs the tests; returns their ctest descriptions and the set of names of those that failed."""
+    listing = subprocess.run(["ctest", "--show-only=json-v1"] + selection, cwd=build, check=True,
+                             stdout=subprocess.PIPE)
+    tests = json.loads(listing.stdout)["tests"]
+    for path in filter(None, map(result_file, tests)):
+        path.unlink(missing_ok=True)
+
+    failures = build / "Testing" / "Temporary" / "LastTestsFailed.log"
+    failures.unlink(missing_ok=True)
+    status = subprocess.run(["ctest", "--output-on-failure", "--timeout", str(TIMEOUT_SECONDS)] + selection,
+                            cwd=build).returncode
+    failed = {line.split(":", 1)[1] for line in failures.read_text().splitlines()} if failures.exists() else set()
+    if status != 0 and not failed:
+        sys.exit("ctest itself failed (%d)" % status)
+    return tests, failed
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("build", type=pathlib.Path, help="build folder")
+    parser.add_argument("--only", metavar="REGEX", help="run only the tests whose name matches")
+    arguments = parser.parse_args()
+
+    tests, failed_tests = run_ctest(arguments.build, ["-R", arguments.only] if arguments.only else [])
+    seen = set()
+    cases = [case for test in tests for case in cases_of(test, failed_tests, seen)]
+
+    for outcome in ("skipped", "failed"):
+        for case in cases:
+            if case.outcome == outcome:
+                print("\n%s: %s\n    %s" % (outcome, case.name, case.message.replace("\n", "\n    ")))
+
+    count = collections.Counter(case.outcome for case in cases)
+    print("\n%d passed, %d failed, %d skipped" % (count["passed"], count["failed"], count["skipped"]))
+    return 1 if count["failed"] or not count["passed"] else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
