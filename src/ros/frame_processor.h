@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <mutex>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "frame_queue.h"
+#include "frame_statistics.h"
+#include "input_advice.h"
+#include "line_plane_segmentation/parameters.h"
+#include "line_plane_segmentation/plane_segmenter.h"
+#include "line_plane_segmentation/stage_clock.h"
+#include "outputs.h"
+
+namespace line_plane_segmentation {
+
+/// Segments frames and publishes the results in a thread of its own, so that no worker thread of a
+/// nodelet manager is ever held up by it. The public functions may be called from any thread.
+class FrameProcessor {
+ public:
+  /// @param name        of the nodelet, for the log
+  /// @param queue_size  frames that may wait
+  /// @param outputs     must outlive this
+  FrameProcessor(const std::string& name, const InputLimits& limits, std::size_t queue_size,
+                 const Outputs& outputs);
+
+  /// Waits for the frame that is being processed.
+  ~FrameProcessor();
+
+  FrameProcessor(const FrameProcessor&) = delete;
+  FrameProcessor& operator=(const FrameProcessor&) = delete;
+
+  /// Takes effect, all at once, with the next frame that is begun. Never waits for a frame.
+  void setParameters(const Parameters& parameters);
+
+  FrameQueue& queue() { return queue_; }
+  FrameStatistics& statistics() { return statistics_; }
+
+ private:
+  void run();
+  void process(const CameraFrame& frame);
+  void applyParameters();
+
+  const InputLimits limits_;
+  const Outputs& outputs_;
+  FrameQueue queue_;
+  FrameStatistics statistics_;
+
+  std::mutex parameters_mutex_;
+  Parameters parameters_;
+  bool parameters_changed_ = true;
+
+  // Used by the thread alone.
+  InputAdvice advice_;
+  PlaneSegmenter segmenter_;
+  StageClock clock_;
+  std::vector<std::uint32_t> ids_;
+  bool tracing_outlines_ = true;
+
+  std::thread thread_;
+};
+
+}  // namespace line_plane_segmentation

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
+#include <mutex>
+#include <string>
+
+#include "line_plane_segmentation/plane_segmenter.h"
+#include "line_plane_segmentation/ros/image_validation.h"
+#include "line_plane_segmentation/stage_clock.h"
+
+namespace line_plane_segmentation {
+
+/// How the frames of some span of time went, and all counts since the beginning.
+struct FrameReport {
+  double seconds = 0.0;  ///< [s] length of the span
+
+  // Of the span:
+  std::uint64_t frames = 0;                              ///< processed
+  double planes = 0.0;                                   ///< a frame
+  double valid_share = 0.0;                              ///< pixels with a depth in range, 0 to 1
+  double milliseconds = 0.0;                             ///< [ms] a frame, segmentation and outputs
+  double max_milliseconds = 0.0;                         ///< [ms] the slowest frame
+  std::array<double, kStageCount> stage_milliseconds{};  ///< [ms] a frame
+  double output_milliseconds = 0.0;                      ///< [ms] a frame, making and publishing messages
+
+  // Since the beginning:
+  std::uint64_t total_frames = 0;
+  std::uint64_t total_failed = 0;
+  std::array<std::uint64_t, kRefusalCount> total_refused{};
+
+  Refusal last_refusal = Refusal::kNone;  ///< kNone if the last frame was processed
+  std::string last_problem;               ///< why the last frame was not processed; empty if it was
+  std::string frame_id;                   ///< of the last frame
+};
+
+/// Counts frames: written by the thread that processes, read by the one that reports.
+class FrameStatistics {
+ public:
+  void processed(const Segmentation& segmentation, const StageClock& clock, double output_milliseconds,
+                 const std::string& frame_id);
+  void refused(Refusal refusal, const std::string& explanation, const std::string& frame_id);
+  void failed(const std::string& problem);
+
+  /// The report about the time since the last call of this.
+  FrameReport take();
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  std::mutex mutex_;
+  FrameReport sums_;  // sums of the span, until take() makes means of them
+  Clock::time_point since_ = Clock::now();
+};
+
+}  // namespace line_plane_segmentation

@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "line_plane_segmentation/ros/image_validation.h"
+
+#include <sensor_msgs/image_encodings.h>
+
+#include <algorithm>
+#include <array>
+#include <boost/endian/conversion.hpp>
+#include <cctype>
+#include <cmath>
+#include <limits>
+#include <sstream>
+
+namespace line_plane_segmentation {
+namespace {
+
+// No lens is outside of this, and no point made with such numbers overflows a float.
+constexpr double kMinFocalLength = 1e-2;  // [px]
+constexpr double kMaxPixelNumber = 1e7;   // [px]
+
+bool depthTypeOf(const std::string& encoding, DepthType& type) {
+  namespace enc = sensor_msgs::image_encodings;
+  if (encoding == enc::TYPE_16UC1 || encoding == enc::MONO16) {
+    type = DepthType::kUint16;
+  } else if (encoding == enc::TYPE_32FC1) {
+    type = DepthType::kFloat32;
+  } else {
+    return false;
+  }
+  return true;
+}
+
+// Sizes are multiplied in 64 bits: the header's 32-bit numbers cannot wrap there.
+Refusal makeView(const sensor_msgs::Image& image, const InputLimits& limits, DepthView& view) {
+  if (image.width == 0 || image.height == 0) return Refusal::kEmptyImage;
+  DepthType type = DepthType::kUint16;
+  if (!depthTypeOf(image.encoding, type)) return Refusal::kEncoding;
+
+  const std::uint64_t width = image.width;
+  const std::uint64_t height = image.height;
+  const std::uint64_t step = image.step;
+  const std::uint64_t max_pixels =
+      std::min<std::uint64_t>(limits.max_pixels, std::numeric_limits<int>::max());
+  if (width * height > max_pixels || height * step > std::numeric_limits<std::uint32_t>::max()) {
+    return Refusal::kTooLarge;
+  }
+  if (step < width * bytesPerPixel(type)) return Refusal::kBadStep;
+  if (image.data.size() < height * step) return Refusal::kShortData;
+
+  view.data = image.data.data();
+  view.width = static_cast<int>(width);
+  view.height = static_cast<int>(height);
+  view.step = static_cast<std::size_t>(step);
+  view.type = type;
+  view.metres_per_unit = type == DepthType::kUint16 ? 0.001F : 1.0F;
+  view.swap_bytes = (image.is_bigendian != 0) != (boost::endian::order::native == boost::endian::order::big);
+  return Refusal::kNone;
+}
+
+// One side of the part of the sensor that the image shows, in the sensor's pixels.
+std::uint64_t shownPixels(std::uint32_t full, std::uint32_t roi) { return roi == 0 ? full : roi; }
+
+std::uint64_t binningOf(std::uint32_t binning) { return std::max<std::uint32_t>(binning, 1); }
+
+// Drivers round an odd side up or down when they bin it.
+bool sizeFits(std::uint64_t image, std::uint64_t shown, std::uint64_t binning) {
+  const std::uint64_t covered = image * binning;
+  return (covered > shown ? covered - shown : shown - covered) < binning;
+}
+
+bool sizesMatch(const sensor_msgs::Image& image, const sensor_msgs::CameraInfo& info) {
+  return sizeFits(image.width, shownPixels(info.width, info.roi.width), binningOf(info.binning_x)) &&
+         sizeFits(image.height, shownPixels(info.height, info.roi.height), binningOf(info.binning_y));
+}
+
+bool isUsable(const CameraIntrinsics& camera) {
+  return camera.isValid() && std::min(camera.fx, camera.fy) >= kMinFocalLength &&
+         std::max(camera.fx, camera.fy) <= kMaxPixelNumber &&
+         std::max(std::abs(camera.cx), std::abs(camera.cy)) <= kMaxPixelNumber;
+}
+
+bool hasProjection(const sensor_msgs::CameraInfo& info) { return info.P[0] != 0.0 || info.P[5] != 0.0; }
+
+Refusal makeCamera(const sensor_msgs::Image& image, const sensor_msgs::CameraInfo& info, Validation& found) {
+  if (!sizesMatch(image, info)) return Refusal::kInfoMismatch;
+
+  found.intrinsics_from_k = !hasProjection(info);
+  CameraIntrinsics& camera = found.camera;
+  if (found.intrinsics_from_k) {
+    camera = {info.K[0], info.K[4], info.K[2], info.K[5]};
+  } else {
+    camera = {info.P[0], info.P[5], info.P[2], info.P[6]};
+  }
+  // P and K are about the full sensor: first the region of interest, then its binning.
+  if (info.roi.width != 0) camera.cx -= info.roi.x_offset;
+  if (info.roi.height != 0) camera.cy -= info.roi.y_offset;
+  const auto binning_x = static_cast<double>(binningOf(info.binning_x));
+  const auto binning_y = static_cast<double>(binningOf(info.binning_y));
+  camera = {camera.fx / binning_x, camera.fy / binning_y, camera.cx / binning_x, camera.cy / binning_y};
+  if (!isUsable(camera)) return Refusal::kNoIntrinsics;
+
+  found.distorted = std::any_of(info.D.begin(), info.D.end(), [](double d) { return d != 0.0; });
+  return Refusal::kNone;
+}
+
+// A stranger's text, made fit for a log.
+std::string quoted(const std::string& text) {
+  constexpr std::size_t kLongest = 32;
+  std::string shown = text.substr(0, kLongest);
+  for (char& c : shown) {
+    if (std::isprint(static_cast<unsigned char>(c)) == 0) c = '?';
+  }
+  return "'" + shown + (text.size() > kLongest ? "...'" : "'");
+}
+
+std::string toText(double number) {
+  std::ostringstream stream;
+  stream << number;
+  return stream.str();
+}
+
+std::string sizeOf(std::uint32_t width, std::uint32_t height) {
+  return std::to_string(width) + "x" + std::to_string(height);
+}
+
+}  // namespace
+
+const char* nameOf(Refusal refusal) {
+  constexpr std::array<const char*, kRefusalCount> kNames = {"none",          "empty_image",  "encoding",
+                                                             "too_large",     "bad_step",     "short_data",
+                                                             "info_mismatch", "no_intrinsics"};
+  return kNames[static_cast<std::size_t>(refusal)];
+}
+
+Validation validate(const sensor_msgs::Image& image, const sensor_msgs::CameraInfo& info,
+                    const InputLimits& limits) {
+  Validation found;
+  found.refusal = makeView(image, limits, found.view);
+  if (found.accepted()) found.refusal = makeCamera(image, info, found);
+  if (!found.accepted()) found.view = DepthView{};
+  return found;
+}
+
+std::string explain(Refusal refusal, const sensor_msgs::Image& image, const sensor_msgs::CameraInfo& info) {
+  const std::string size = sizeOf(image.width, image.height);
+  switch (refusal) {
+    case Refusal::kNone:
+      return {};
+    case Refusal::kEmptyImage:
+      return "the image is " + size + " pixels: check the camera driver";
+    case Refusal::kEncoding:
+      return "encoding " + quoted(image.encoding) +
+             " is no depth image: remap depth/image_rect to a topic of 16UC1, mono16 or 32FC1 images";
+    case Refusal::kTooLarge:
+      return "an image of " + size + " pixels with rows of " + std::to_string(image.step) +
+             " bytes is too large: raise ~max_pixels if it is meant";
+    case Refusal::kBadStep:
+      return "rows of " + std::to_string(image.step) + " bytes cannot hold " + std::to_string(image.width) +
+             " pixels of " + quoted(image.encoding) + ": check the camera driver";
+    case Refusal::kShortData:
+      return "the image holds " + std::to_string(image.data.size()) + " bytes, its header says " +
+             std::to_string(std::uint64_t{image.height} * image.step) + ": check the camera driver";
+    case Refusal::kInfoMismatch:
+      return "the image is " + size + ", camera_info is about " + sizeOf(info.width, info.height) +
+             " (binning " + sizeOf(info.binning_x, info.binning_y) + ", region of interest " +
+             sizeOf(info.roi.width, info.roi.height) + "): publish the camera_info of this image's size";
+    case Refusal::kNoIntrinsics:
+      return "camera_info holds no usable focal lengths (P " + toText(info.P[0]) + ", " + toText(info.P[5]) +
+             "; K " + toText(info.K[0]) + ", " + toText(info.K[4]) + "): calibrate the camera";
+  }
+  return {};
+}
+
+}  // namespace line_plane_segmentation

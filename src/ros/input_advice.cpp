@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "input_advice.h"
+
+#include <ros/console.h>
+
+#include <limits>
+#include <vector>
+
+namespace line_plane_segmentation {
+
+bool InputAdvice::isDue(TimePoint& last) {
+  constexpr std::chrono::seconds kPause(5);
+  const TimePoint now = std::chrono::steady_clock::now();
+  if (last != TimePoint{} && now - last < kPause) return false;
+  last = now;
+  return true;
+}
+
+void InputAdvice::once(bool& told, const std::string& text) {
+  if (!told) ROS_WARN("[%s] %s", name_.c_str(), text.c_str());
+  told = true;
+}
+
+void InputAdvice::refused(Refusal refusal, const std::string& explanation) {
+  if (isDue(last_refused_[static_cast<std::size_t>(refusal)])) {
+    ROS_WARN("[%s] refused a frame (%s): %s", name_.c_str(), nameOf(refusal), explanation.c_str());
+  }
+}
+
+void InputAdvice::failed(const std::string& problem) {
+  if (isDue(last_failed_)) ROS_ERROR("[%s] a frame failed: %s", name_.c_str(), problem.c_str());
+}
+
+void InputAdvice::accepted(const CameraFrame& frame, const Validation& input) {
+  if (input.intrinsics_from_k) once(told_intrinsics_from_k_, "camera_info has no P: K is used in its place");
+  if (input.distorted) {
+    once(told_distorted_,
+         "camera_info has distortion: unless the images are rectified, planes bend toward their borders");
+  }
+  const std::string& image_frame = frame.image->header.frame_id;
+  if (image_frame.empty()) once(told_no_frame_, "the images have no frame_id: rviz and tf cannot place them");
+  if (!image_frame.empty() && image_frame.front() == '/') {
+    once(told_slash_,
+         "the images' frame_id '" + image_frame + "' starts with a slash, which tf2 refuses: it is cut off");
+  }
+  if (frame.info->header.frame_id != image_frame) {
+    once(told_other_frame_, "camera_info is in frame '" + frame.info->header.frame_id + "', the images in '" +
+                                image_frame + "', which is used");
+  }
+}
+
+void InputAdvice::segmented(const Validation& input, const DepthRange& range,
+                            const Segmentation& segmentation) {
+  if (told_beyond_range_ || 2 * std::size_t{segmentation.valid_pixels} >= segmentation.labels.size()) return;
+  if (shareBeyondRange(input.view, range) > 0.5) {
+    once(told_beyond_range_,
+         "most depths lie beyond max_range: is a 32FC1 image in millimetres, not metres?");
+  }
+}
+
+double shareBeyondRange(const DepthView& depth, const DepthRange& range) {
+  constexpr int kRowStep = 16;
+  const DepthRange any{0.0F, std::numeric_limits<float>::max()};
+  std::vector<float> row(static_cast<std::size_t>(depth.width));
+  std::size_t with_depth = 0;
+  std::size_t beyond = 0;
+  for (int v = 0; v < depth.height; v += kRowStep) {
+    loadRow(depth, v, any, row.data());
+    for (const float z : row) {
+      if (z > 0.0F) ++with_depth;
+      if (z > range.max) ++beyond;
+    }
+  }
+  return with_depth == 0 ? 0.0 : static_cast<double>(beyond) / static_cast<double>(with_depth);
+}
+
+}  // namespace line_plane_segmentation

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+#include <chrono>
+#include <set>
+#include <string>
+
+#include "line_plane_segmentation/ros/image_validation.h"
+#include "line_plane_segmentation/segmentation.h"
+#include "stamp_pairing.h"
+
+namespace line_plane_segmentation {
+
+/// Tells the user in the log what is odd about the input, without filling the log: each oddity once, each
+/// refusal every few seconds. Goes by a clock that simulated time does not touch, and for itself, however
+/// many nodelets share the process.
+class InputAdvice {
+ public:
+  /// @param name  of the nodelet, at the head of each line
+  explicit InputAdvice(std::string name) : name_(std::move(name)) {}
+
+  /// A frame that is not processed.
+  void refused(Refusal refusal, const std::string& explanation);
+
+  /// A frame that failed.
+  void failed(const std::string& problem);
+
+  /// A frame that is processed, though something about it may be odd.
+  void accepted(const CameraFrame& frame, const Validation& input);
+
+  /// What became of it.
+  void segmented(const Validation& input, const DepthRange& range, const Segmentation& segmentation);
+
+ private:
+  using TimePoint = std::chrono::steady_clock::time_point;
+
+  bool isDue(TimePoint& last);
+  void once(bool& told, const std::string& text);
+
+  std::string name_;
+  std::array<TimePoint, kRefusalCount> last_refused_{};
+  TimePoint last_failed_{};
+  bool told_intrinsics_from_k_ = false;
+  bool told_distorted_ = false;
+  bool told_slash_ = false;
+  bool told_no_frame_ = false;
+  bool told_other_frame_ = false;
+  bool told_beyond_range_ = false;
+};
+
+/// Share of the pixels with any depth that lie beyond the range, of a sample of the rows. 0 to 1.
+double shareBeyondRange(const DepthView& depth, const DepthRange& range);
+
+}  // namespace line_plane_segmentation

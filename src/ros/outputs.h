@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <ros/node_handle.h>
+#include <ros/publisher.h>
+
+#include <functional>
+
+#include "line_plane_segmentation/ros/conversions.h"
+
+namespace line_plane_segmentation {
+
+/// The topics of the results. A message is made only while somebody subscribes to its topic, published
+/// as a shared pointer, so that subscribers in the same process get it without a copy, and not touched
+/// afterwards. Nothing is latched: that would serialise every message.
+///
+/// wanted() and publish() may be called from any thread.
+class Outputs {
+ public:
+  /// Advertises all topics.
+  /// @param subscribers_changed  called on the node handle's queue whenever somebody comes or goes, perhaps
+  ///                             before this constructor returns
+  Outputs(ros::NodeHandle private_nh, const std::function<void()>& subscribers_changed);
+
+  /// Somebody subscribes to any of them.
+  bool wanted() const;
+
+  /// Somebody subscribes to one that shows the planes' outlines.
+  bool outlinesWanted() const;
+
+  /// Makes and publishes what is wanted.
+  void publish(const SegmentedFrame& frame) const;
+
+ private:
+  ros::Publisher planes_;
+  ros::Publisher labels_;
+  ros::Publisher cloud_;
+  ros::Publisher overlay_;
+  ros::Publisher markers_;
+};
+
+}  // namespace line_plane_segmentation

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "plane_segmenter_nodelet.h"
+
+#include <ros/console.h>
+
+#include <chrono>
+#include <exception>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+#include "line_plane_segmentation/ros/parameter_config.h"
+#include "status_report.h"
+
+namespace line_plane_segmentation {
+namespace {
+
+// roscpp takes a parameter of the wrong type for one that is not set.
+int intParameter(const ros::NodeHandle& nh, const std::string& name, int fallback, int min, int max) {
+  int value = fallback;
+  const bool given = nh.hasParam(name);
+  if ((given && !nh.getParam(name, value)) || value < min || value > max) {
+    throw std::invalid_argument("~" + name + " must be a whole number from " + std::to_string(min) + " to " +
+                                std::to_string(max));
+  }
+  return value;
+}
+
+}  // namespace
+
+PlaneSegmenterNodelet::~PlaneSegmenterNodelet() = default;
+
+// Nothing may be thrown out of here: nodelet would go on using what it has deleted.
+void PlaneSegmenterNodelet::onInit() {
+  try {
+    const std::lock_guard<std::mutex> lock(connect_mutex_);
+    try {
+      start();
+      ROS_INFO("[%s] idle until somebody subscribes to one of its outputs, then reads %s and %s",
+               getName().c_str(), subscription_->imageTopic().c_str(), subscription_->infoTopic().c_str());
+    } catch (const std::exception& exception) {
+      stop();
+      failure_ = exception.what();
+      ROS_ERROR("[%s] does not start: %s", getName().c_str(), failure_.c_str());
+    }
+    updater_ =
+        std::make_unique<diagnostic_updater::Updater>(getNodeHandle(), getPrivateNodeHandle(), getName());
+    updater_->setHardwareID("none");
+    updater_->add("plane segmentation", this, &PlaneSegmenterNodelet::reportStatus);
+    // Not Updater::update(): it falls silent when simulated time goes back.
+    report_timer_ = getNodeHandle().createWallTimer(
+        ros::WallDuration(1.0), [this](const ros::WallTimerEvent&) { updater_->force_update(); });
+  } catch (const std::exception& exception) {
+    ROS_ERROR("[%s] does not start: %s", getName().c_str(), exception.what());
+  }
+  updateSubscription();
+}
+
+void PlaneSegmenterNodelet::start() {
+  ros::NodeHandle& nh = getNodeHandle();
+  ros::NodeHandle& private_nh = getPrivateNodeHandle();
+  checkParameterServer(private_nh);
+  const int queue_size = intParameter(private_nh, "queue_size", 10, 1, 1000);
+  InputLimits limits;
+  limits.max_pixels = static_cast<std::uint64_t>(
+      intParameter(private_nh, "max_pixels", static_cast<int>(limits.max_pixels), 1, 1 << 28));
+
+  outputs_ = std::make_unique<Outputs>(private_nh, [this] { updateSubscription(); });
+  processor_ =
+      std::make_unique<FrameProcessor>(getName(), limits, static_cast<std::size_t>(queue_size), *outputs_);
+  subscription_ = std::make_unique<CameraSubscription>(
+      nh, private_nh, queue_size, [this](CameraFrame frame) { processor_->queue().push(std::move(frame)); });
+  reconfigure_server_ = std::make_unique<dynamic_reconfigure::Server<PlaneSegmenterConfig>>(private_nh);
+  reconfigure_server_->setCallback(
+      [this](PlaneSegmenterConfig& config, std::uint32_t) { reconfigure(config); });
+}
+
+void PlaneSegmenterNodelet::stop() {
+  reconfigure_server_.reset();
+  subscription_.reset();
+  processor_.reset();
+  outputs_.reset();
+}
+
+void PlaneSegmenterNodelet::reconfigure(PlaneSegmenterConfig& config) {
+  std::vector<std::string> changes;
+  parameters_ = reconfigured(parameters_, config, changes);
+  for (const std::string& change : changes) ROS_WARN("[%s] %s", getName().c_str(), change.c_str());
+  processor_->setParameters(parameters_);
+}
+
+void PlaneSegmenterNodelet::updateSubscription() {
+  const std::lock_guard<std::mutex> lock(connect_mutex_);
+  if (!subscription_ || outputs_->wanted() == subscription_->subscribed()) return;
+  if (subscription_->subscribed()) {
+    subscription_->unsubscribe();
+    processor_->queue().clear();
+    return;
+  }
+  try {
+    subscription_->subscribe();
+    failure_.clear();
+  } catch (const std::exception& exception) {
+    // A transport that is not installed, most likely.
+    subscription_->unsubscribe();
+    failure_ = exception.what();
+    ROS_ERROR("[%s] cannot subscribe: %s", getName().c_str(), failure_.c_str());
+  }
+}
+
+void PlaneSegmenterNodelet::reportStatus(diagnostic_updater::DiagnosticStatusWrapper& diagnostics) {
+  const std::lock_guard<std::mutex> lock(connect_mutex_);
+  NodeletStatus status;
+  status.failure = failure_;
+  if (subscription_) {
+    status.wanted = outputs_->wanted();
+    status.image_topic = subscription_->imageTopic();
+    status.info_topic = subscription_->infoTopic();
+    status.input = subscription_->times();
+    status.dropped = processor_->queue().dropped();
+    status.newly_dropped = status.dropped - std::exchange(reported_dropped_, status.dropped);
+    status.frames = processor_->statistics().take();
+    if (!status.frames.frame_id.empty()) updater_->setHardwareID(status.frames.frame_id);
+  }
+  report(status, std::chrono::steady_clock::now(), diagnostics);
+}
+
+}  // namespace line_plane_segmentation

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <diagnostic_updater/diagnostic_updater.h>
+#include <dynamic_reconfigure/server.h>
+#include <line_plane_segmentation/PlaneSegmenterConfig.h>
+#include <nodelet/nodelet.h>
+
+#include <cstdint>
+#include <memory>
+#include <mutex>
+#include <string>
+
+#include "camera_subscription.h"
+#include "frame_processor.h"
+#include "line_plane_segmentation/parameters.h"
+#include "outputs.h"
+
+namespace line_plane_segmentation {
+
+/// Segments the planes of a depth camera while somebody subscribes to its outputs.
+///
+/// Everything but the segmenting itself runs on the nodelet's single-threaded queue and takes
+/// microseconds: pairing images with camera_info, subscribing and unsubscribing, reconfiguring, reporting.
+class PlaneSegmenterNodelet : public nodelet::Nodelet {
+ public:
+  ~PlaneSegmenterNodelet() override;
+
+ private:
+  void onInit() override;
+  void start();
+  void stop();
+  void reconfigure(PlaneSegmenterConfig& config);
+  void updateSubscription();
+  void reportStatus(diagnostic_updater::DiagnosticStatusWrapper& diagnostics);
+
+  // Held while the parts below are made, so that a subscriber who comes meanwhile finds them all.
+  std::mutex connect_mutex_;
+  std::string failure_;  // why this does not work; empty if it does
+  Parameters parameters_;
+  std::uint64_t reported_dropped_ = 0;
+
+  // In this order: each uses those before it.
+  std::unique_ptr<Outputs> outputs_;
+  std::unique_ptr<FrameProcessor> processor_;
+  std::unique_ptr<CameraSubscription> subscription_;
+  std::unique_ptr<dynamic_reconfigure::Server<PlaneSegmenterConfig>> reconfigure_server_;
+  std::unique_ptr<diagnostic_updater::Updater> updater_;
+  ros::WallTimer report_timer_;
+};
+
+}  // namespace line_plane_segmentation

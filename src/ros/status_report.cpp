@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "status_report.h"
+
+#include <diagnostic_msgs/DiagnosticStatus.h>
+
+#include <algorithm>
+#include <chrono>
+
+namespace line_plane_segmentation {
+namespace {
+
+using diagnostic_msgs::DiagnosticStatus;
+using TimePoint = InputTimes::TimePoint;
+
+constexpr std::chrono::seconds kPatience(10);
+
+struct Summary {
+  unsigned char level;
+  std::string text;
+};
+
+// What is missing between the subscription and a first or next pair of image and camera_info.
+std::string missingInput(const NodeletStatus& status, TimePoint now) {
+  const auto recent = [now](TimePoint time) { return time != TimePoint{} && now - time < kPatience; };
+  if (!recent(status.input.image)) return "waiting for images on " + status.image_topic;
+  if (!recent(status.input.info)) return "waiting for camera_info on " + status.info_topic;
+  return "waiting for camera_info on " + status.info_topic + " with the stamp of an image on " +
+         status.image_topic + ": none has one";
+}
+
+Summary summarize(const NodeletStatus& status, TimePoint now) {
+  if (!status.failure.empty()) return {DiagnosticStatus::ERROR, status.failure};
+  if (!status.wanted) return {DiagnosticStatus::OK, "nobody subscribes to my outputs: idle"};
+
+  const TimePoint alive = std::max(status.input.subscribed, status.input.frame);
+  const bool late = now - alive >= kPatience;
+  if (late || status.input.frame == TimePoint{}) {
+    return {late ? DiagnosticStatus::WARN : DiagnosticStatus::OK, missingInput(status, now)};
+  }
+
+  const FrameReport& frames = status.frames;
+  if (frames.last_refusal != Refusal::kNone) {
+    const bool hopeless = frames.last_refusal == Refusal::kNoIntrinsics;
+    return {hopeless ? DiagnosticStatus::ERROR : DiagnosticStatus::WARN,
+            std::string("refused (") + nameOf(frames.last_refusal) + "): " + frames.last_problem};
+  }
+  if (!frames.last_problem.empty()) {
+    return {DiagnosticStatus::ERROR, "processing failed: " + frames.last_problem};
+  }
+  if (status.newly_dropped > 0) {
+    return {DiagnosticStatus::WARN,
+            "input is faster than processing: " + std::to_string(status.newly_dropped) + " frames dropped"};
+  }
+  if (frames.frames > 0 && frames.valid_share == 0.0) {
+    return {DiagnosticStatus::WARN, "no pixel has a depth within min_range and max_range"};
+  }
+  return {DiagnosticStatus::OK, "segmenting"};
+}
+
+}  // namespace
+
+void report(const NodeletStatus& status, TimePoint now,
+            diagnostic_updater::DiagnosticStatusWrapper& diagnostics) {
+  const Summary summary = summarize(status, now);
+  diagnostics.summary(summary.level, summary.text);
+
+  const FrameReport& frames = status.frames;
+  const double seconds = std::max(frames.seconds, 1e-6);
+  diagnostics.add("image topic", status.image_topic);
+  diagnostics.add("camera_info topic", status.info_topic);
+  diagnostics.addf("rate [Hz]", "%.2f", static_cast<double>(frames.frames) / seconds);
+  diagnostics.add("frames processed", frames.total_frames);
+  diagnostics.add("frames dropped", status.dropped);
+  diagnostics.add("frames failed", frames.total_failed);
+  for (std::size_t i = 1; i < kRefusalCount; ++i) {
+    diagnostics.add(std::string("frames refused: ") + nameOf(static_cast<Refusal>(i)),
+                    frames.total_refused[i]);
+  }
+  diagnostics.addf("planes a frame", "%.2f", frames.planes);
+  diagnostics.addf("pixels with depth [%]", "%.1f", 100.0 * frames.valid_share);
+  diagnostics.addf("time a frame [ms]", "%.2f", frames.milliseconds);
+  diagnostics.addf("time of the slowest frame [ms]", "%.2f", frames.max_milliseconds);
+  for (int i = 0; i < kStageCount; ++i) {
+    diagnostics.addf(std::string("time of ") + nameOf(static_cast<Stage>(i)) + " [ms]", "%.2f",
+                     frames.stage_milliseconds[static_cast<std::size_t>(i)]);
+  }
+  diagnostics.addf("time of outputs [ms]", "%.2f", frames.output_milliseconds);
+}
+
+}  // namespace line_plane_segmentation

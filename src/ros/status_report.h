@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <diagnostic_updater/DiagnosticStatusWrapper.h>
+
+#include <cstdint>
+#include <string>
+
+#include "camera_subscription.h"
+#include "frame_statistics.h"
+
+namespace line_plane_segmentation {
+
+/// All that the diagnostics are made from.
+struct NodeletStatus {
+  std::string failure;  ///< why the nodelet does not work at all; empty if it does
+  bool wanted = false;  ///< somebody subscribes to an output
+  std::string image_topic;
+  std::string info_topic;
+  InputTimes input;
+  std::uint64_t dropped = 0;        ///< frames, since the beginning
+  std::uint64_t newly_dropped = 0;  ///< frames, since the last report
+  FrameReport frames;
+};
+
+/// Says in one sentence how the nodelet does, as a user would want to hear it, followed by the figures.
+void report(const NodeletStatus& status, InputTimes::TimePoint now,
+            diagnostic_updater::DiagnosticStatusWrapper& diagnostics);
+
+}  // namespace line_plane_segmentation
