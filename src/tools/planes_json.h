@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+
+#include "line_plane_segmentation/segmentation.h"
+#include "stage_clock.h"
+
+namespace line_plane_segmentation {
+
+/// The planes of a frame as JSON text: lengths in metres, in the camera's optical frame. Of each plane
+/// "polygon" is its largest outer ring, "other_parts" further outer rings, "holes" the rings of its holes.
+/// The same planes and times give the same text.
+std::string planesJson(const std::string& frame, const Segmentation& segmentation, const StageClock& clock);
+
+}  // namespace line_plane_segmentation

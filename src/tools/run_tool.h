@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <functional>
+#include <stdexcept>
+#include <string>
+
+namespace line_plane_segmentation {
+
+/// Something that the user gave is wrong. The message is one line that says what, and where it can
+/// be how to put it right.
+class BadInput : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// Runs a command-line tool: the body of its main().
+/// @return 0 if `tool` returned; 1, and one line on stderr that begins with `name`, if it threw
+int runTool(const std::string& name, const std::function<void()>& tool);
+
+}  // namespace line_plane_segmentation
