@@ -2,6 +2,7 @@
 #include "line_plane_segmentation/depth_view.h"
 
 #include <cstring>
+#include <limits>
 
 namespace line_plane_segmentation {
 namespace {
@@ -36,7 +37,9 @@ void load(const std::uint8_t* first, std::size_t stride, int count, float scale,
 
 void load(const DepthView& view, const std::uint8_t* first, std::size_t stride, int count, DepthRange range, float* depth) {
   const float scale = view.metres_per_unit;
-  if (!(range.min > 0.0F)) range.min = 0.0F;
+  // Denormal numbers are no depths either, and a NaN bound is none.
+  constexpr float kSmallest = std::numeric_limits<float>::min();
+  if (!(range.min >= kSmallest)) range.min = kSmallest;
   if (view.type == DepthType::kUint16) {
     if (view.swap_bytes) return load<std::uint16_t, std::uint16_t, true>(first, stride, count, scale, range, depth);
     if (stride == 2) return load<std::uint16_t, std::uint16_t, false>(first, 2, count, scale, range, depth);
