@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "status_report.h"
+
+#include <diagnostic_msgs/DiagnosticStatus.h>
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <string>
+
+namespace line_plane_segmentation {
+namespace {
+
+using diagnostic_msgs::DiagnosticStatus;
+using std::chrono::milliseconds;
+using std::chrono::seconds;
+
+const InputTimes::TimePoint kNow = InputTimes::TimePoint{} + std::chrono::hours(1);
+
+// Somebody subscribes, and frames come.
+NodeletStatus statusOfWorkingNodelet() {
+  NodeletStatus status;
+  status.wanted = true;
+  status.image_topic = "/camera/depth/image_rect";
+  status.info_topic = "/camera/depth/camera_info";
+  status.input.subscribed = kNow - seconds(60);
+  status.input.image = status.input.info = status.input.frame = kNow - milliseconds(30);
+  status.frames.seconds = 2.0;
+  status.frames.frames = status.frames.total_frames = 60;
+  status.frames.planes = 4.0;
+  status.frames.valid_share = 0.9;
+  return status;
+}
+
+diagnostic_updater::DiagnosticStatusWrapper reportOf(const NodeletStatus& status) {
+  diagnostic_updater::DiagnosticStatusWrapper diagnostics;
+  report(status, kNow, diagnostics);
+  return diagnostics;
+}
+
+std::string valueOf(const DiagnosticStatus& diagnostics, const std::string& key) {
+  for (const auto& value : diagnostics.values) {
+    if (value.key == key) return value.value;
+  }
+  return "no such key";
+}
+
+void expectStatus(const NodeletStatus& status, int level, const std::string& text) {
+  const auto diagnostics = reportOf(status);
+  EXPECT_EQ(level, static_cast<int>(diagnostics.level)) << diagnostics.message;
+  EXPECT_NE(std::string::npos, diagnostics.message.find(text)) << diagnostics.message;
+}
+
+TEST(StatusReport, allIsWell) { expectStatus(statusOfWorkingNodelet(), DiagnosticStatus::OK, "segmenting"); }
+
+TEST(StatusReport, nobodySubscribes) {
+  NodeletStatus status = statusOfWorkingNodelet();
+  status.wanted = false;
+  status.input = InputTimes{};
+  expectStatus(status, DiagnosticStatus::OK, "nobody subscribes to my outputs");
+}
+
+TEST(StatusReport, doesNotStart) {
+  NodeletStatus status;
+  status.failure = "~queue_size must be a whole number from 1 to 1000";
+  expectStatus(status, DiagnosticStatus::ERROR, "~queue_size");
+}
+
+TEST(StatusReport, waitsForImages) {
+  NodeletStatus status = statusOfWorkingNodelet();
+  status.input = InputTimes{};
+  status.input.subscribed = kNow - seconds(3);
+  expectStatus(status, DiagnosticStatus::OK, "waiting for images on /camera/depth/image_rect");
+  status.input.subscribed = kNow - seconds(10);
+  expectStatus(status, DiagnosticStatus::WARN, "waiting for images on /camera/depth/image_rect");
+}
+
+// Row 20.
+TEST(StatusReport, waitsForCameraInfo) {
+  NodeletStatus status = statusOfWorkingNodelet();
+  status.input.info = status.input.frame = InputTimes::TimePoint{};
+  expectStatus(status, DiagnosticStatus::WARN, "waiting for camera_info on /camera/depth/camera_info");
+  status.input.info = kNow - milliseconds(20);
+  expectStatus(status, DiagnosticStatus::WARN,
+               "camera_info on /camera/depth/camera_info with the stamp of an image");
+}
+
+TEST(StatusReport, inputEnds) {
+  NodeletStatus status = statusOfWorkingNodelet();
+  status.input.image = status.input.info = status.input.frame = kNow - seconds(9);
+  expectStatus(status, DiagnosticStatus::OK, "segmenting");
+  status.input.image = status.input.info = status.input.frame = kNow - seconds(11);
+  expectStatus(status, DiagnosticStatus::WARN, "waiting for images");
+}
+
+TEST(StatusReport, refusals) {
+  NodeletStatus status = statusOfWorkingNodelet();
+  status.frames.last_refusal = Refusal::kShortData;
+  status.frames.last_problem = "too few bytes";
+  status.frames.total_refused[static_cast<std::size_t>(Refusal::kShortData)] = 7;
+  expectStatus(status, DiagnosticStatus::WARN, "short_data");
+  expectStatus(status, DiagnosticStatus::WARN, "too few bytes");
+  EXPECT_EQ("7", valueOf(reportOf(status), "frames refused: short_data"));
+  EXPECT_EQ("0", valueOf(reportOf(status), "frames refused: encoding"));
+
+  status.frames.last_refusal = Refusal::kNoIntrinsics;
+  status.frames.last_problem = "calibrate the camera";
+  expectStatus(status, DiagnosticStatus::ERROR, "calibrate");
+}
+
+TEST(StatusReport, failures) {
+  NodeletStatus status = statusOfWorkingNodelet();
+  status.frames.last_problem = "std::bad_alloc";
+  expectStatus(status, DiagnosticStatus::ERROR, "std::bad_alloc");
+}
+
+TEST(StatusReport, drops) {
+  NodeletStatus status = statusOfWorkingNodelet();
+  status.dropped = 20;
+  expectStatus(status, DiagnosticStatus::OK, "segmenting");
+  EXPECT_EQ("20", valueOf(reportOf(status), "frames dropped"));
+  status.newly_dropped = 5;
+  expectStatus(status, DiagnosticStatus::WARN, "5 frames dropped");
+}
+
+// Row 10.
+TEST(StatusReport, noDepthAtAll) {
+  NodeletStatus status = statusOfWorkingNodelet();
+  status.frames.valid_share = 0.0;
+  expectStatus(status, DiagnosticStatus::WARN, "no pixel has a depth");
+}
+
+TEST(StatusReport, figures) {
+  NodeletStatus status = statusOfWorkingNodelet();
+  status.frames.stage_milliseconds[static_cast<std::size_t>(Stage::kExtraction)] = 3.25;
+  const auto diagnostics = reportOf(status);
+  EXPECT_EQ("30.00", valueOf(diagnostics, "rate [Hz]"));
+  EXPECT_EQ("4.00", valueOf(diagnostics, "planes a frame"));
+  EXPECT_EQ("90.0", valueOf(diagnostics, "pixels with depth [%]"));
+  EXPECT_EQ("3.25", valueOf(diagnostics, "time of extraction [ms]"));
+}
+
+TEST(FrameStatistics, makesMeansOfTheTimeSinceTheLastReport) {
+  FrameStatistics statistics;
+  Segmentation segmentation;
+  segmentation.labels.resize(10);
+  segmentation.planes.resize(2);
+  segmentation.valid_pixels = 5;
+  const StageClock clock;
+  statistics.processed(segmentation, clock, 1.0, "camera");
+  segmentation.planes.resize(3);
+  segmentation.valid_pixels = 10;
+  statistics.processed(segmentation, clock, 3.0, "camera");
+  statistics.refused(Refusal::kEncoding, "no depth image", "camera");
+
+  FrameReport report = statistics.take();
+  EXPECT_EQ(2U, report.frames);
+  EXPECT_EQ(2.5, report.planes);
+  EXPECT_EQ(0.75, report.valid_share);
+  EXPECT_EQ(2.0, report.milliseconds);
+  EXPECT_EQ(3.0, report.max_milliseconds);
+  EXPECT_EQ(Refusal::kEncoding, report.last_refusal);
+  EXPECT_EQ(1U, report.total_refused[static_cast<std::size_t>(Refusal::kEncoding)]);
+
+  report = statistics.take();
+  EXPECT_EQ(0U, report.frames);
+  EXPECT_EQ(0.0, report.planes);
+  EXPECT_EQ(2U, report.total_frames);
+}
+
+}  // namespace
+}  // namespace line_plane_segmentation
