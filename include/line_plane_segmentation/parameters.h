@@ -56,9 +56,28 @@ struct CandidateParameters {
 struct ExtractionParameters {
   double plane_distance = 0.02;  ///< [m] a point's distance to its plane, delta_d. Higher -> thicker planes, that swallow their neighbours
   double neighbor_distance = 0.03;  ///< [m] between neighbours of one plane, delta_n. Higher -> bridges gaps and steps
-  double distance_noise_factor = 3.0;  ///< [-] method adaptive: both distances are at least so many sigma_z (Eq. 5). Higher -> far planes stay whole
+  double distance_noise_factor = 4.0;  ///< [-] method adaptive: both distances are at least so many sigma_z (Eq. 5). Higher -> far planes stay whole
   int min_plane_inliers = 0;  ///< [px] smallest plane, N; paper: 5000 (VGA), 1000 (QVGA). Higher -> only large planes
   double min_plane_area = 0.0;  ///< [m²] smallest plane; 0 = no such limit. Higher -> only large planes
+};
+
+/// Method adaptive: the local planes at the crossings of the scanlines.
+struct PatchParameters {
+  double patch_noise_factor = 1.5;  ///< [-] tolerance of a patch, and unit of merge costs, as a multiple of sigma_z. Higher -> coarser sensors, blunter edges
+  double patch_distance = 0.004;  ///< [m] least tolerance across the plane. Higher -> nearby surfaces may be rougher
+  double patch_flatness = 1.2;  ///< [-] largest mean squared error of a patch, in tolerances squared. Higher -> rough and curved surfaces count as planes
+};
+
+/// Method adaptive: which patches make one plane.
+struct ClusterParameters {
+  double merge_cost = 8.0;  ///< [-] neighbours merge if that moves neither by more, in tolerances squared. Higher -> fewer, larger planes over blunt edges
+  double coplanar_cost = 4.0;  ///< [-] the same for planes apart, with an object before the gap; 0 = never. Higher -> more is joined across gaps
+  int min_patches = 4;  ///< [-] smallest plane in patches. Higher -> only large planes
+};
+
+/// Method adaptive: tidying the label image. 0 means: from the image's width.
+struct CleanupParameters {
+  int min_region_pixels = 0;  ///< [px] smaller pieces and holes go to what surrounds them. Higher -> smoother regions
 };
 
 /// Outline polygons.
@@ -76,6 +95,9 @@ struct Parameters {
   LineParameters lines;
   CandidateParameters candidates;
   ExtractionParameters extraction;
+  PatchParameters patches;
+  ClusterParameters clusters;
+  CleanupParameters cleanup;
   OutlineParameters outlines;
 };
 
@@ -104,6 +126,13 @@ void visitParameters(ParametersType& p, Visitor&& visitor) {
   visitor("distance_noise_factor", p.extraction.distance_noise_factor, 0.0, 20.0);
   visitor("min_plane_inliers", p.extraction.min_plane_inliers, 0, 1000000);
   visitor("min_plane_area", p.extraction.min_plane_area, 0.0, 100.0);
+  visitor("patch_noise_factor", p.patches.patch_noise_factor, 0.0, 20.0);
+  visitor("patch_distance", p.patches.patch_distance, 1e-5, 0.5);
+  visitor("patch_flatness", p.patches.patch_flatness, 0.01, 100.0);
+  visitor("merge_cost", p.clusters.merge_cost, 0.0, 1000.0);
+  visitor("coplanar_cost", p.clusters.coplanar_cost, 0.0, 1000.0);
+  visitor("min_patches", p.clusters.min_patches, 1, 1000);
+  visitor("min_region_pixels", p.cleanup.min_region_pixels, 0, 100000);
   visitor("trace_outlines", p.outlines.trace_outlines, false, true);
   visitor("outline_tolerance", p.outlines.outline_tolerance, 0.5, 20.0);
   visitor("min_hole_pixels", p.outlines.min_hole_pixels, 0, 1000000);

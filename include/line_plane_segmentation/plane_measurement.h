@@ -5,6 +5,7 @@
 
 #include "line_plane_segmentation/camera_intrinsics.h"
 #include "line_plane_segmentation/depth_image.h"
+#include "line_plane_segmentation/label_runs.h"
 #include "line_plane_segmentation/plane_fit.h"
 #include "line_plane_segmentation/segmentation.h"
 
@@ -12,19 +13,24 @@ namespace line_plane_segmentation {
 
 /// Fits a plane by PCA to the pixels of every label and fills in all that a SegmentedPlane tells but its outline.
 ///
-/// Labels whose pixels span no plane are taken back to 0, and the labels above them move down.
+/// Labels whose pixels span no plane, or less than the smallest area, are taken back to 0, and the labels above them
+/// move down.
 class PlaneMeasurement {
  public:
-  /// @param segmentation  its labels 1 to label_count are measured; everything else is filled in
+  /// @param label_count   labels 1 to label_count are measured
+  /// @param min_area      [m²]
+  /// @param image         relabelled where a label goes
+  /// @param segmentation  its planes and the number of its assigned pixels are filled in
   void measure(const DepthImage& depth, const ViewRays& rays, const CameraIntrinsics& camera, int label_count,
-               Segmentation& segmentation);
+               double min_area, LabelRuns& image, Segmentation& segmentation);
 
  private:
   struct Sums {
     PointMoments moments;
-    double cubed_depth = 0.0;
+    double cubed_depth = 0.0;  // [m³]
   };
-  void addRun(const float* z, const float* x, int count, double y, Sums& sums) const;
+
+  void sumLabels(const DepthImage& depth, const ViewRays& rays, int label_count, const LabelRuns& image);
 
   std::vector<Sums> sums_;
   std::vector<std::uint16_t> new_label_;

@@ -100,6 +100,12 @@ std::vector<std::string> sanitize(Parameters& parameters) {
 Parameters resolve(const Parameters& parameters, int width) {
   Parameters p = parameters;
   const int w = std::max(width, 1);
+  if (p.method == Method::kAdaptive) {
+    setIfZero(p.scanlines.scanline_spacing, std::max(4, fromWidth(8, 12, 1.0, w)));
+    setIfZero(p.lines.line_window, fromWidth(15, 21, 1.0, w) | 1);
+    setIfZero(p.extraction.min_plane_inliers, fromWidth(600, 2400, 2.0, w));
+  }
+  setIfZero(p.cleanup.min_region_pixels, fromWidth(100, 400, 2.0, w));
   setIfZero(p.scanlines.scanline_spacing, fromWidth(20, 30, 1.0, w));
   setIfZero(p.lines.line_window, std::max(5, fromWidth(7, 11, 1.0, w) | 1));
   setIfZero(p.lines.min_line_points, fromWidth(23, 30, 1.0, w));
@@ -118,10 +124,20 @@ bool loadPreset(const std::string& name, Parameters& parameters) {
     parameters.method = Method::kPaper;
   } else if (name == "short_range") {
     parameters = Parameters{};
-    parameters.noise = {0.0005, 0.0, 0.4};
-    parameters.extraction.plane_distance = 0.003;
+    parameters.noise = {0.0007, 0.0, 0.0};  // steps of 1.3 mm, near and far
+    parameters.scanlines.min_range = 0.1;
+    parameters.scanlines.scanline_spacing = 5;
+    parameters.lines.line_window = 7;
+    parameters.patches.patch_distance = 1e-5;
+    parameters.patches.patch_flatness = 2.0;
+    parameters.clusters.merge_cost = 4.0;
+    parameters.clusters.coplanar_cost = 0.3;
+    parameters.clusters.min_patches = 3;
+    parameters.extraction.plane_distance = 1e-4;
     parameters.extraction.neighbor_distance = 0.005;
-    parameters.extraction.min_plane_inliers = 500;
+    parameters.extraction.distance_noise_factor = 3.0;
+    parameters.extraction.min_plane_inliers = 80;
+    parameters.cleanup.min_region_pixels = 40;
   } else {
     return false;
   }

@@ -1,49 +1,36 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "line_plane_segmentation/plane_measurement.h"
 
+#include <algorithm>
 #include <cmath>
+
+#include "row_kernels.h"
 
 namespace line_plane_segmentation {
 
-void PlaneMeasurement::addRun(const float* z, const float* x, int count, double y, Sums& sums) const {
-  double sum_z = 0.0, sum_zx = 0.0, sum_zz = 0.0, sum_zzx = 0.0, sum_zzxx = 0.0, sum_zzz = 0.0;
-  for (int i = 0; i < count; ++i) {
-    const double depth = z[i], ray = x[i];
-    const double zz = depth * depth;
-    sum_z += depth;
-    sum_zx += depth * ray;
-    sum_zz += zz;
-    sum_zzx += zz * ray;
-    sum_zzxx += zz * ray * ray;
-    sum_zzz += zz * depth;
+void PlaneMeasurement::sumLabels(const DepthImage& depth, const ViewRays& rays, int label_count,
+                                 const LabelRuns& image) {
+  sums_.assign(static_cast<std::size_t>(label_count) + 1, Sums{});
+  for (const LabelRun& run : image.runs) {
+    if (run.label == 0 || run.label == kNoDepthLabel) continue;
+    const RunSums s = sumRun(depth.row(run.row) + run.first, rays.x.data() + run.first, run.pixels());
+    const double y = rays.y[static_cast<std::size_t>(run.row)];
+    // A point is z (x, y, 1), and y is the same along the row.
+    Sums& sums = sums_[run.label];
+    sums.moments.count += run.pixels();
+    sums.moments.sum += Eigen::Vector3d(s.zx, y * s.z, s.z);
+    Eigen::Matrix3d outer;
+    outer << s.zzxx, y * s.zzx, s.zzx,  //
+        y * s.zzx, y * y * s.zz, y * s.zz,  //
+        s.zzx, y * s.zz, s.zz;
+    sums.moments.outer += outer;
+    sums.cubed_depth += s.zzz;
   }
-  // A point is z (x, y, 1), and y is the same along the row.
-  PointMoments& m = sums.moments;
-  m.count += count;
-  m.sum += Eigen::Vector3d(sum_zx, y * sum_z, sum_z);
-  Eigen::Matrix3d outer;
-  outer << sum_zzxx, y * sum_zzx, sum_zzx,  //
-      y * sum_zzx, y * y * sum_zz, y * sum_zz,  //
-      sum_zzx, y * sum_zz, sum_zz;
-  m.outer += outer;
-  sums.cubed_depth += sum_zzz;
 }
 
 void PlaneMeasurement::measure(const DepthImage& depth, const ViewRays& rays, const CameraIntrinsics& camera,
-                               int label_count, Segmentation& segmentation) {
-  sums_.assign(static_cast<std::size_t>(label_count) + 1, Sums{});
-  for (int v = 0; v < depth.height; ++v) {
-    const std::uint16_t* labels = segmentation.labels.data() + depth.index(0, v);
-    const float* z = depth.row(v);
-    for (int u = 0; u < depth.width;) {
-      const std::uint16_t label = labels[u];
-      const int first = u;
-      while (u < depth.width && labels[u] == label) ++u;
-      if (label == 0) continue;
-      addRun(z + first, rays.x.data() + first, u - first, rays.y[static_cast<std::size_t>(v)], sums_[label]);
-    }
-  }
-
+                               int label_count, double min_area, LabelRuns& image, Segmentation& segmentation) {
+  sumLabels(depth, rays, label_count, image);
   segmentation.planes.clear();
   segmentation.assigned_pixels = 0;
   new_label_.assign(sums_.size(), 0);
@@ -51,6 +38,10 @@ void PlaneMeasurement::measure(const DepthImage& depth, const ViewRays& rays, co
     const PointMoments& moments = sums_[label].moments;
     PlaneFit fit;
     if (!fitPlane(moments, fit) || !(fit.d > 0.0)) continue;
+    // A pixel of depth z covers z² / (fx fy) facing the camera, and on the plane, seen under the angle whose cosine
+    // is d / (z |ray|) there, z³ / (d fx fy).
+    const double area = sums_[label].cubed_depth / (fit.d * camera.fx * camera.fy);
+    if (!(area >= min_area)) continue;
     SegmentedPlane plane;
     plane.label = static_cast<std::uint16_t>(segmentation.planes.size() + 1);
     plane.normal = fit.normal;
@@ -58,17 +49,18 @@ void PlaneMeasurement::measure(const DepthImage& depth, const ViewRays& rays, co
     plane.centroid = fit.centroid;
     plane.rms = std::sqrt(fit.mean_square);
     plane.inliers = static_cast<std::uint32_t>(moments.count);
+    plane.area = area;
     // Three of the degrees of freedom went into the plane.
-    plane.covariance = fit.covariance(moments, plane.rms * std::sqrt(moments.count / std::max(1.0, moments.count - 3.0)));
-    // A pixel of depth z covers z² / (fx fy) facing the camera, and on the plane, seen under the angle whose cosine
-    // is d / (z |ray|) there, z³ / (d fx fy).
-    plane.area = sums_[label].cubed_depth / (fit.d * camera.fx * camera.fy);
+    const double sigma = plane.rms * std::sqrt(moments.count / std::max(1.0, moments.count - 3.0));
+    plane.covariance = fit.covariance(moments, sigma);
     segmentation.planes.push_back(plane);
     segmentation.assigned_pixels += plane.inliers;
     new_label_[label] = plane.label;
   }
   if (segmentation.planes.size() == static_cast<std::size_t>(label_count)) return;
-  for (std::uint16_t& label : segmentation.labels) label = new_label_[label];
+  for (LabelRun& run : image.runs) {
+    if (run.label != kNoDepthLabel) run.label = new_label_[run.label];
+  }
 }
 
 }  // namespace line_plane_segmentation

@@ -7,9 +7,14 @@
 #include "line_plane_segmentation/candidate_detection.h"
 #include "line_plane_segmentation/depth_image.h"
 #include "line_plane_segmentation/line_extraction.h"
+#include "line_plane_segmentation/label_runs.h"
 #include "line_plane_segmentation/outline.h"
+#include "line_plane_segmentation/patch_clustering.h"
+#include "line_plane_segmentation/pixel_assignment.h"
 #include "line_plane_segmentation/plane_extraction.h"
 #include "line_plane_segmentation/plane_measurement.h"
+#include "line_plane_segmentation/region_cleanup.h"
+#include "line_plane_segmentation/surface_patch.h"
 
 namespace line_plane_segmentation {
 namespace {
@@ -25,6 +30,12 @@ void clear(const DepthView& view, Segmentation& result) {
   result.assigned_pixels = 0;
 }
 
+class SilentObserver final : public StageObserver {
+ public:
+  void frameStarted() override {}
+  void stageFinished(Stage) override {}
+};
+
 std::uint32_t countValid(const DepthImage& depth) {
   return static_cast<std::uint32_t>(
       std::count_if(depth.z.begin(), depth.z.end(), [](float z) { return z > 0.0F; }));
@@ -36,14 +47,55 @@ struct PlaneSegmenter::Stages {
   Parameters parameters;
   DepthImage depth;
   ViewRays rays;
-  LineExtractor line_extractor;
   std::vector<LineSegment> segments;
   std::vector<PlaneCandidate> candidates;
-  PlaneExtractor extractor;
+  LabelRuns runs;
   PlaneMeasurement measurement;
   OutlineTracer outlines;
   Segmentation result;
+
+  // Method paper.
+  LineExtractor line_extractor;
+  PlaneExtractor plane_extractor;
+
+  // Method adaptive.
+  PatchDetector patch_detector;
+  PatchGrid patch_grid;
+  PatchClusterer clusterer;
+  std::vector<PatchCluster> clusters;
+  std::vector<int> cluster_of;
+  PixelAssigner assigner;
+  RegionCleaner cleaner;
+
+  // Each fills `runs` with the labels that it found, and returns how many there are.
+  int runPaper(const CameraIntrinsics& camera, const Parameters& resolved, StageObserver& observer);
+  int runAdaptive(const Parameters& resolved, StageObserver& observer);
 };
+
+int PlaneSegmenter::Stages::runPaper(const CameraIntrinsics& camera, const Parameters& resolved,
+                                     StageObserver& observer) {
+  line_extractor.extract(depth, camera, resolved, segments);
+  observer.stageFinished(Stage::kLines);
+  detectCandidates(depth, rays, segments, resolved.candidates, candidates);
+  observer.stageFinished(Stage::kCandidates);
+  const int label_count = plane_extractor.extract(depth, rays, candidates, resolved, result.labels);
+  observer.stageFinished(Stage::kExtraction);
+  runs.scan(result.labels, depth.width, depth.height);
+  return label_count;
+}
+
+int PlaneSegmenter::Stages::runAdaptive(const Parameters& resolved, StageObserver& observer) {
+  patch_detector.detect(depth, rays, resolved, patch_grid);
+  observer.stageFinished(Stage::kLines);
+  describePatches(patch_grid, rays, resolved, segments, candidates);
+  observer.stageFinished(Stage::kCandidates);
+  clusterer.cluster(depth, rays, patch_grid, resolved, clusters, cluster_of);
+  assigner.assign(depth, rays, patch_grid, clusters, cluster_of, resolved, result.labels);
+  observer.stageFinished(Stage::kExtraction);
+  runs.scan(result.labels, depth.width, depth.height);
+  return cleaner.clean(resolved.cleanup, resolved.extraction.min_plane_inliers, static_cast<int>(clusters.size()),
+                       runs);
+}
 
 const char* nameOf(Stage stage) {
   constexpr std::array<const char*, kStageCount> kNames = {"lines", "candidates", "extraction", "refinement", "outlines"};
@@ -69,10 +121,9 @@ const std::vector<PlaneCandidate>& PlaneSegmenter::candidates() const { return s
 const Segmentation& PlaneSegmenter::segment(const DepthView& view, const CameraIntrinsics& camera,
                                             StageObserver* observer) {
   Stages& s = *stages_;
-  const auto finished = [observer](Stage stage) {
-    if (observer != nullptr) observer->stageFinished(stage);
-  };
-  if (observer != nullptr) observer->frameStarted();
+  SilentObserver silent;
+  StageObserver& stage_observer = observer != nullptr ? *observer : silent;
+  stage_observer.frameStarted();
   clear(view, s.result);
   s.segments.clear();
   s.candidates.clear();
@@ -82,19 +133,16 @@ const Segmentation& PlaneSegmenter::segment(const DepthView& view, const CameraI
   const DepthRange range{static_cast<float>(parameters.scanlines.min_range),
                          static_cast<float>(parameters.scanlines.max_range)};
   loadDepth(view, range, s.depth);
-  s.result.valid_pixels = countValid(s.depth);
   s.rays.compute(camera, view.width, view.height);
+  s.result.valid_pixels = countValid(s.depth);
 
-  s.line_extractor.extract(s.depth, camera, parameters, s.segments);
-  finished(Stage::kLines);
-  detectCandidates(s.depth, s.rays, s.segments, parameters.candidates, s.candidates);
-  finished(Stage::kCandidates);
-  const int label_count = s.extractor.extract(s.depth, s.rays, s.candidates, parameters, s.result.labels);
-  finished(Stage::kExtraction);
-  s.measurement.measure(s.depth, s.rays, camera, label_count, s.result);
-  finished(Stage::kRefinement);
+  const int label_count = parameters.method == Method::kPaper ? s.runPaper(camera, parameters, stage_observer)
+                                                              : s.runAdaptive(parameters, stage_observer);
+  s.measurement.measure(s.depth, s.rays, camera, label_count, parameters.extraction.min_plane_area, s.runs, s.result);
+  s.runs.write(s.result.labels, view.width);
+  stage_observer.stageFinished(Stage::kRefinement);
   s.outlines.trace(camera, parameters.outlines, s.result);
-  finished(Stage::kOutlines);
+  stage_observer.stageFinished(Stage::kOutlines);
   return s.result;
 }
 

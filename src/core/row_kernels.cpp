@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "line_plane_segmentation/label_runs.h"
 #include "multiversion.h"
 
 namespace line_plane_segmentation {
@@ -30,6 +31,78 @@ void linkNeighbors(const float* z, const float* below, const float* x, float y, 
     const bool linked = (z[i] > 0.0F) & (below[i] > 0.0F) & (distance < bound);
     links[i] = static_cast<std::uint8_t>(links[i] | (linked ? kLinkDown : 0));
   }
+}
+
+LPS_MULTIVERSION
+void markChanges(const std::uint16_t* labels, int count, std::uint8_t* changes) {
+  if (count > 0) changes[0] = 0;
+  for (int i = 1; i < count; ++i) changes[i] = static_cast<std::uint8_t>(labels[i] != labels[i - 1]);
+}
+
+LPS_MULTIVERSION
+void prepareRow(const float* z, int count, const RowNoise& noise, float* inverse_depth, float* along, float* best,
+                std::int32_t* label) {
+  const RowNoise n = noise;
+  for (int i = 0; i < count; ++i) {
+    const bool valid = z[i] > 0.0F;
+    const float w = valid ? 1.0F / z[i] : 0.0F;
+    const float reach = 1.0F - n.nearest * w;
+    const float tolerance = n.floor * w * w + n.growth * reach * reach;
+    inverse_depth[i] = w;
+    along[i] = valid ? tolerance : 0.0F;  // with no tolerance either way, no plane is ever better
+    best[i] = 1.0F;
+    label[i] = valid ? 0 : kNoDepthLabel;
+  }
+}
+
+LPS_MULTIVERSION
+void assignIfBetter(const float* inverse_depth, const float* along, const float* x, int count, const RowOfPlane& plane,
+                    float* best, std::int32_t* label) {
+  const RowOfPlane p = plane;
+  for (int i = 0; i < count; ++i) {
+    const float across = p.across * inverse_depth[i];
+    const float tolerance = along[i] > across ? along[i] : across;
+    const float error = std::fabs(inverse_depth[i] - (p.slope * x[i] + p.offset)) / tolerance;
+    const bool better = error < best[i];
+    best[i] = better ? error : best[i];
+    label[i] = better ? p.label : label[i];
+  }
+}
+
+LPS_MULTIVERSION
+void storeLabels(const std::int32_t* label, int count, std::uint16_t* labels) {
+  for (int i = 0; i < count; ++i) labels[i] = static_cast<std::uint16_t>(label[i]);
+}
+
+LPS_MULTIVERSION
+RunSums sumRun(const float* z, const float* x, int count) {
+  constexpr int kLanes = 8;
+  double sum_z[kLanes] = {}, sum_zx[kLanes] = {}, sum_zz[kLanes] = {}, sum_zzx[kLanes] = {}, sum_zzxx[kLanes] = {},
+         sum_zzz[kLanes] = {};
+  const auto add = [&](int lane, int i) {
+    const double depth = z[i], ray = x[i], square = depth * depth, square_ray = square * ray;
+    sum_z[lane] += depth;
+    sum_zx[lane] += depth * ray;
+    sum_zz[lane] += square;
+    sum_zzx[lane] += square_ray;
+    sum_zzxx[lane] += square_ray * ray;
+    sum_zzz[lane] += square * depth;
+  };
+  int i = 0;
+  for (; i + kLanes <= count; i += kLanes) {
+    for (int lane = 0; lane < kLanes; ++lane) add(lane, i + lane);
+  }
+  for (int lane = 0; i < count; ++i, ++lane) add(lane, i);
+  RunSums sums{};
+  for (int lane = 0; lane < kLanes; ++lane) {
+    sums.z += sum_z[lane];
+    sums.zx += sum_zx[lane];
+    sums.zz += sum_zz[lane];
+    sums.zzx += sum_zzx[lane];
+    sums.zzxx += sum_zzxx[lane];
+    sums.zzz += sum_zzz[lane];
+  }
+  return sums;
 }
 
 }  // namespace line_plane_segmentation

@@ -30,4 +30,42 @@ constexpr std::uint8_t kLinkDown = 2;   ///< the pixel and the one below are nea
 void linkNeighbors(const float* z, const float* below, const float* x, float y, float y_below, int count, float bound,
                    std::uint8_t* links);
 
+/// changes[i] = 1 where labels[i] differs from labels[i - 1], else 0; changes[0] = 0.
+void markChanges(const std::uint16_t* labels, int count, std::uint8_t* changes);
+
+/// The noise model times a factor: floor and growth are multiplied by it.
+struct RowNoise {
+  float floor, growth, nearest;
+};
+
+/// Makes a row ready for assignIfBetter().
+/// @param inverse_depth  1 / z, or 0 where there is no depth
+/// @param along          [1/m] tolerance along the ray, DepthTolerance::along()
+/// @param best           1: a pixel must lie within the tolerance
+/// @param label          0, or kNoDepthLabel where there is no depth
+void prepareRow(const float* z, int count, const RowNoise& noise, float* inverse_depth, float* along, float* best,
+                std::int32_t* label);
+
+/// A plane along a row: its inverse depth is slope * x + offset.
+struct RowOfPlane {
+  float slope, offset;
+  float across;  ///< the tolerance across the plane is this times the inverse depth
+  std::int32_t label;
+};
+
+/// Gives each pixel whose error, in tolerances, is under `best` to the plane, and remembers the error there.
+void assignIfBetter(const float* inverse_depth, const float* along, const float* x, int count, const RowOfPlane& plane,
+                    float* best, std::int32_t* label);
+
+/// Narrows labels to 16 bits.
+void storeLabels(const std::int32_t* label, int count, std::uint16_t* labels);
+
+/// Sums over a run of pixels of depth z on rays (x, y, 1) with one y.
+struct RunSums {
+  double z, zx, zz, zzx, zzxx, zzz;
+};
+
+/// The order of summation is fixed: the same bits on every machine.
+RunSums sumRun(const float* z, const float* x, int count);
+
 }  // namespace line_plane_segmentation

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace line_plane_segmentation {
+
+/// Stands in a label image where a pixel has no depth, while the image is being worked on.
+constexpr std::uint16_t kNoDepthLabel = 65535;
+
+/// Neighbouring pixels of one row with the same label: columns first to last - 1.
+struct LabelRun {
+  int row, first, last;
+  std::uint16_t label;
+
+  int pixels() const { return last - first; }
+};
+
+/// A label image as runs, row by row, in each from the left; together they cover every pixel.
+struct LabelRuns {
+  std::vector<LabelRun> runs;
+  std::vector<std::size_t> row_begin;  ///< index of each row's first run, and the number of runs
+
+  void scan(const std::vector<std::uint16_t>& labels, int width, int height);
+
+  /// Writes the runs' labels back, kNoDepthLabel as 0.
+  void write(std::vector<std::uint16_t>& labels, int width) const;
+
+ private:
+  std::vector<std::uint64_t> changes_;  // of a row: a byte for each pixel, not 0 where another label begins
+};
+
+/// Calls `visit(a, b, pixels)` for each two runs that lie above each other in `pixels` columns, a above b.
+template <typename Visitor>
+void forEachVerticalContact(const LabelRuns& image, Visitor&& visit) {
+  for (std::size_t row = 1; row + 1 < image.row_begin.size(); ++row) {
+    std::size_t a = image.row_begin[row - 1], b = image.row_begin[row];
+    const std::size_t a_end = b, b_end = image.row_begin[row + 1];
+    while (a < a_end && b < b_end) {
+      const LabelRun &above = image.runs[a], &below = image.runs[b];
+      const int first = above.first > below.first ? above.first : below.first;
+      const int last = above.last < below.last ? above.last : below.last;
+      if (last > first) visit(a, b, last - first);
+      if (above.last < below.last) {
+        ++a;
+      } else {
+        ++b;
+      }
+    }
+  }
+}
+
+}  // namespace line_plane_segmentation

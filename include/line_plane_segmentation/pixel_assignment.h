@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "line_plane_segmentation/patch_clustering.h"
+
+namespace line_plane_segmentation {
+
+/// Stage 4 of the adaptive method, second half: which pixels are in which plane. A pixel goes to the plane that it
+/// fits best of those with a patch nearby, if it lies within the tolerance; so at the meeting of two planes the line
+/// where both fit alike parts them, and no plane reaches into a surface far from its patches.
+class PixelAssigner {
+ public:
+  /// @param labels  width * height: k + 1 for cluster k, 0 for no plane, kNoDepthLabel for no depth
+  void assign(const DepthImage& depth, const ViewRays& rays, const PatchGrid& grid,
+              const std::vector<PatchCluster>& clusters, const std::vector<int>& cluster_of,
+              const Parameters& parameters, std::vector<std::uint16_t>& labels);
+
+ private:
+  /// Columns first to last - 1 of the image, in which a plane is asked.
+  struct Span {
+    int cluster, first, last;
+  };
+
+  void findSpans(const PatchGrid& grid, int row, int width, const std::vector<int>& cluster_of);
+
+  std::vector<Span> spans_;
+  std::vector<int> open_span_;  // of each cluster, in the row of the grid being looked at; -1 if none
+  std::vector<float> inverse_depth_, along_, best_;
+  std::vector<std::int32_t> label_;
+};
+
+}  // namespace line_plane_segmentation

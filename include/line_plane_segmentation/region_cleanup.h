@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "line_plane_segmentation/label_runs.h"
+#include "line_plane_segmentation/parameters.h"
+
+namespace line_plane_segmentation {
+
+/// Refinement: tidies a label image. A connected piece of fewer than min_region_pixels, of a plane or of none, becomes
+/// part of what most of its border touches, so that noise leaves no speckles and no pinholes; then planes that are too
+/// small go, and the rest are numbered from 1, the largest first.
+class RegionCleaner {
+ public:
+  /// @param label_count  the labels are 0 to label_count and kNoDepthLabel
+  /// @return the number of planes left
+  int clean(const CleanupParameters& parameters, int min_plane_inliers, int label_count, LabelRuns& image);
+
+ private:
+  /// A small piece touches a large one of another label.
+  struct Contact {
+    int piece;
+    std::uint16_t label;
+    int length;
+  };
+
+  int find(int run);
+  void connect(const LabelRuns& image);
+  void findContacts(const LabelRuns& image, int min_pixels);
+  void absorb(LabelRuns& image, int min_pixels);
+  int renumber(int min_plane_inliers, int label_count, LabelRuns& image);
+
+  std::vector<int> parent_;  // of each run
+  std::vector<int> pixels_;  // of the piece, at its root
+  std::vector<Contact> contacts_;
+  std::vector<std::uint16_t> new_label_;
+  std::vector<int> label_pixels_, order_;
+};
+
+}  // namespace line_plane_segmentation

@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "outline_borders.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdlib>
+#include <cstring>
+
+#include "multiversion.h"
+
+namespace line_plane_segmentation {
+namespace {
+
+// Where branches depend on the picture they are mispredicted half of the time, which would take most of the
+// time here. So candidates are collected by storing all and counting the right ones.
+
+constexpr int kStretch = 64;  ///< [px] part of a row that is skipped if it is the same as above
+
+/// What may start at the upper left corner of a pixel.
+constexpr std::uint8_t kConvex = 1;  ///< the border that turns round this pixel
+constexpr std::uint8_t kReflex = 2;  ///< the border that turns round the three others, which have one label
+
+LPS_MULTIVERSION
+void compareStretches(const std::uint16_t* row, const std::uint16_t* above, int stretches,
+                      std::uint16_t* differences) {
+  for (int stretch = 0; stretch < stretches; ++stretch) {
+    std::uint16_t difference = 0;
+    for (int i = stretch * kStretch; i < (stretch + 1) * kStretch; ++i) {
+      difference = static_cast<std::uint16_t>(difference | (row[i] ^ above[i]));
+    }
+    differences[stretch] = difference;
+  }
+}
+
+/// marks[i] = 1 where a pixel differs from its left and its upper neighbour: a part's first pixel does, and a
+/// hole's.
+LPS_MULTIVERSION
+void markStarts(const std::uint16_t* row, const std::uint16_t* above, int begin, int end,
+                std::uint8_t* marks) {
+  for (int i = begin; i < end; ++i) {
+    marks[i] = static_cast<std::uint8_t>((row[i] != row[i - 1]) & (row[i] != above[i]));
+  }
+}
+
+/// Appends the columns from begin to end - 1 that have a mark; room for a word more is needed.
+int* appendMarked(const std::uint8_t* marks, int begin, int end, int* columns) {
+  using Word = std::uint64_t;
+  constexpr int kStep = sizeof(Word);
+  for (int x = begin; x < end; x += kStep) {
+    Word word;
+    std::memcpy(&word, marks + x, sizeof(word));
+    if (word == 0) continue;
+    for (int i = x; i < x + kStep; ++i) {
+      *columns = i;
+      columns += marks[i];
+    }
+  }
+  return columns;
+}
+
+bool comesBefore(const Border& a, const Border& b) {
+  if (a.label != b.label) return a.label < b.label;
+  if ((a.area > 0) != (b.area > 0)) return a.area > 0;
+  if (a.area != b.area) return std::abs(a.area) > std::abs(b.area);
+  return a.first < b.first;
+}
+
+}  // namespace
+
+void BorderFollower::follow(const std::uint16_t* labels, int width, int height, int label_count,
+                            std::int64_t min_area) {
+  labels_ = labels;
+  width_ = width;
+  height_ = height;
+  min_area_ = min_area;
+  corners_.clear();
+  borders_.clear();
+  largest_.assign(static_cast<std::size_t>(label_count) + 1, 0);
+  // Corners at the right and the lower edge belong to no pixel, but are marked with nothing.
+  seen_.assign(pixelAt(width, height) + 1, 0);
+  row_above_image_.assign(static_cast<std::size_t>(width), 0);
+  differences_.resize(static_cast<std::size_t>(width / kStretch));
+  marks_.assign(static_cast<std::size_t>(width + kStretch), 0);
+
+  const auto is_label = [label_count](int value) {
+    return static_cast<unsigned>(value - 1) < static_cast<unsigned>(label_count);
+  };
+  for (int y = 0; y < height; ++y) {
+    findStarts(y);
+    const std::uint16_t* row = labels + pixelAt(0, y);
+    const std::uint16_t* above = y > 0 ? row - width : row_above_image_.data();
+    for (const int x : starts_) {
+      const int left = std::max(x - 1, 0);
+      const std::uint16_t around = above[x];
+      const bool is_reflex = (around == row[left]) & (around == above[left]) & is_label(around);
+      const int kinds = (is_label(row[x]) ? kConvex : 0) | (is_reflex ? kReflex : 0);
+      const std::uint8_t& seen = seen_[pixelAt(x, y)];
+      if ((kinds & ~seen) == 0) continue;
+      if ((kinds & ~seen & kConvex) != 0) followFrom(x, y, kDown);
+      if ((kinds & ~seen & kReflex) != 0) followFrom(x, y, kRight);
+    }
+  }
+  // Small parts that were the largest of their label only until a larger one was met.
+  const auto is_left_out = [this](const Border& b) {
+    return std::abs(b.area) < min_area_ && b.area != largest_[b.label];
+  };
+  borders_.erase(std::remove_if(borders_.begin(), borders_.end(), is_left_out), borders_.end());
+  std::sort(borders_.begin(), borders_.end(), comesBefore);
+}
+
+void BorderFollower::findStarts(int y) {
+  const std::uint16_t* row = labels_ + pixelAt(0, y);
+  const std::uint16_t* above = y > 0 ? row - width_ : row_above_image_.data();
+  const int stretches = width_ / kStretch;
+  compareStretches(row, above, stretches, differences_.data());
+  starts_.resize(static_cast<std::size_t>(width_ + kStretch));
+  int* const begin = starts_.data();
+  int* end = begin;
+  *end = 0;
+  end += row[0] != above[0] ? 1 : 0;
+  for (int stretch = 0; stretch <= stretches; ++stretch) {
+    if (stretch < stretches && differences_[static_cast<std::size_t>(stretch)] == 0) continue;
+    const int first = stretch * kStretch, last = std::min(first + kStretch, width_);
+    markStarts(row, above, std::max(first, 1), last, marks_.data());
+    end = appendMarked(marks_.data(), first, last, end);
+  }
+  starts_.resize(static_cast<std::size_t>(end - begin));
+}
+
+/// Follows a border round from a corner where it sets out in the given direction.
+void BorderFollower::followFrom(int start_x, int start_y, Direction start_direction) {
+  constexpr std::uint16_t kOutside = 0;
+  const std::ptrdiff_t w = width_;
+  // By direction: a step over corners, and the way from the pixel right below a corner to the one ahead on
+  // the left hand; the one ahead on the right hand is the left one of the direction before.
+  constexpr std::array<int, 4> kStepX = {0, 1, 0, -1}, kStepY = {1, 0, -1, 0};
+  const std::array<std::ptrdiff_t, 4> stride = {w, 1, -w, -1};
+  const std::array<std::ptrdiff_t, 4> ahead = {0, -w, -w - 1, -1};
+  constexpr std::array<std::uint8_t, 4> kSeenTurningLeft = {0, 0, 0, kConvex},
+                                        kSeenTurningRight = {0, 0, kReflex, 0};
+
+  const std::size_t first = corners_.size();
+  const std::ptrdiff_t start = start_y * w + start_x;
+  const std::uint16_t label = labels_[start_direction == kDown ? start : start - w];
+  std::int64_t area = 0;
+  int x = start_x, y = start_y;
+  unsigned direction = start_direction;
+  do {
+    corners_.push_back({x, y});
+    const std::array<int, 4> to_edge = {height_ - y, width_ - x, y, x};
+    const std::array<bool, 4> right_in_image = {x > 0, y < height_, x<width_, y> 0};
+    const int room = to_edge[direction];
+    const bool inside = right_in_image[direction];
+    const std::ptrdiff_t corner = y * w + x;
+    const std::ptrdiff_t left_stride = stride[direction], right_stride = inside ? left_stride : 0;
+    const std::uint16_t* const right_labels = inside ? labels_ : &kOutside;
+    std::ptrdiff_t left = corner + ahead[direction];
+    std::ptrdiff_t right = inside ? corner + ahead[(direction + 3) % 4] : 0;
+    int steps = 0;
+    bool turns_left = false, turns_right = false;
+    do {
+      ++steps;
+      left += left_stride;
+      right += right_stride;
+      turns_left = steps == room || labels_[left] != label;
+      turns_right = right_labels[right] == label;
+    } while (!(turns_left | turns_right));
+
+    x += kStepX[direction] * steps;
+    y += kStepY[direction] * steps;
+    area -= std::int64_t{x} * (kStepY[direction] * steps);
+    seen_[pixelAt(x, y)] |= turns_left ? kSeenTurningLeft[direction] : kSeenTurningRight[direction];
+    direction = (direction + (turns_left ? 1 : 3)) % 4;
+  } while (x != start_x || y != start_y || direction != start_direction);
+
+  std::int64_t& largest = largest_[label];
+  if (std::abs(area) < min_area_ && area <= largest) {
+    corners_.resize(first);
+    return;
+  }
+  largest = std::max(largest, area);
+  borders_.push_back({label, area, first, corners_.size() - first});
+  corners_.push_back({start_x, start_y});
+}
+
+}  // namespace line_plane_segmentation

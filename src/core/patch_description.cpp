@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+#include <cmath>
+
+#include "line_plane_segmentation/surface_patch.h"
+
+namespace line_plane_segmentation {
+namespace {
+
+// The line w = slope t + offset that a plane is along a scanline, t being the ray's coordinate along it.
+struct InverseDepthLine {
+  double slope, offset;
+};
+
+InverseDepthLine lineOf(const InverseDepthPlane& plane, ScanDirection direction, double across) {
+  if (direction == ScanDirection::kRow) return {plane.a, plane.b * across + plane.c};
+  return {plane.b, plane.a * across + plane.c};
+}
+
+// In the scan, Sy = t z and Sx = k z (Eq. 3), so that w = slope t + offset is the line slope Sy + (offset / k) Sx = 1.
+void setPolarForm(const InverseDepthLine& line, double across, LineSegment& segment) {
+  const double k = std::sqrt(across * across + 1.0);
+  segment.alpha = std::atan2(line.slope, line.offset / k);
+  segment.r = 1.0 / std::hypot(line.slope, line.offset / k);
+}
+
+// Walks one scanline of the grid and joins neighbours whose lines meet half way.
+class SegmentJoiner {
+ public:
+  SegmentJoiner(const PatchGrid& grid, const std::vector<float>& along, const Parameters& parameters,
+                std::vector<LineSegment>& segments)
+      : grid_(grid),
+        along_(along),
+        half_window_(parameters.lines.line_window / 2),
+        tolerance_{parameters.noise, parameters.patches.patch_noise_factor, parameters.patches.patch_distance},
+        segments_(segments) {}
+
+  void walk(ScanDirection direction, int scanline, double across, int first_patch, int stride, int count) {
+    const SurfacePatch* previous = nullptr;
+    for (int i = 0; i < count; ++i) {
+      const SurfacePatch* patch = &grid_.patches[static_cast<std::size_t>(first_patch + i * stride)];
+      if (!patch->is_planar) {
+        previous = nullptr;
+        continue;
+      }
+      const InverseDepthLine line = lineOf(patch->plane, direction, across);
+      const int pixel = grid_.pixelOf(i);
+      if (previous == nullptr || !meets(lineOf(previous->plane, direction, across), line, pixel, *patch)) {
+        LineSegment segment;
+        segment.direction = direction;
+        segment.scanline = scanline;
+        segment.first = std::max(0, pixel - half_window_);
+        segments_.push_back(segment);
+      }
+      LineSegment& segment = segments_.back();
+      segment.last = std::min(static_cast<int>(along_.size()) - 1, pixel + half_window_);
+      segment.points = segment.last - segment.first + 1;
+      setPolarForm(line, across, segment);
+      previous = patch;
+    }
+  }
+
+ private:
+  bool meets(const InverseDepthLine& before, const InverseDepthLine& after, int pixel, const SurfacePatch& patch) const {
+    const double t = along_[static_cast<std::size_t>(std::max(0, pixel - grid_.spacing / 2))];
+    const double w = after.slope * t + after.offset;
+    return std::fabs(before.slope * t + before.offset - w) < tolerance_.at(w, patch.plane.inverseDistance());
+  }
+
+  const PatchGrid& grid_;
+  const std::vector<float>& along_;
+  int half_window_;
+  DepthTolerance tolerance_;
+  std::vector<LineSegment>& segments_;
+};
+
+}  // namespace
+
+void describePatches(const PatchGrid& grid, const ViewRays& rays, const Parameters& parameters,
+                     std::vector<LineSegment>& segments, std::vector<PlaneCandidate>& candidates) {
+  segments.clear();
+  candidates.clear();
+  SegmentJoiner along_rows(grid, rays.x, parameters, segments);
+  for (int r = 0; r < grid.rows; ++r) {
+    const int v = grid.pixelOf(r);
+    along_rows.walk(ScanDirection::kRow, v, rays.y[static_cast<std::size_t>(v)], grid.indexOf(0, r), 1, grid.columns);
+  }
+  SegmentJoiner along_columns(grid, rays.y, parameters, segments);
+  for (int c = 0; c < grid.columns; ++c) {
+    const int u = grid.pixelOf(c);
+    along_columns.walk(ScanDirection::kColumn, u, rays.x[static_cast<std::size_t>(u)], c, grid.columns, grid.rows);
+  }
+  for (int r = 0; r < grid.rows; ++r) {
+    for (int c = 0; c < grid.columns; ++c) {
+      const SurfacePatch& patch = grid.patches[static_cast<std::size_t>(grid.indexOf(c, r))];
+      if (!patch.is_planar) continue;
+      PlaneCandidate candidate;
+      candidate.u = grid.pixelOf(c);
+      candidate.v = grid.pixelOf(r);
+      candidate.d = 1.0 / patch.plane.inverseDistance();
+      candidate.normal = -candidate.d * Eigen::Vector3d(patch.plane.a, patch.plane.b, patch.plane.c);
+      candidates.push_back(candidate);
+    }
+  }
+}
+
+}  // namespace line_plane_segmentation

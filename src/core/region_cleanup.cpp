@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "line_plane_segmentation/region_cleanup.h"
+
+#include <algorithm>
+#include <tuple>
+
+namespace line_plane_segmentation {
+
+int RegionCleaner::find(int run) {
+  while (parent_[static_cast<std::size_t>(run)] != run) {
+    int& parent = parent_[static_cast<std::size_t>(run)];
+    parent = parent_[static_cast<std::size_t>(parent)];
+    run = parent;
+  }
+  return run;
+}
+
+void RegionCleaner::connect(const LabelRuns& image) {
+  parent_.resize(image.runs.size());
+  for (std::size_t i = 0; i < parent_.size(); ++i) parent_[i] = static_cast<int>(i);
+  forEachVerticalContact(image, [&](std::size_t above, std::size_t below, int) {
+    if (image.runs[above].label != image.runs[below].label) return;
+    const int a = find(static_cast<int>(above)), b = find(static_cast<int>(below));
+    parent_[static_cast<std::size_t>(std::max(a, b))] = std::min(a, b);
+  });
+  pixels_.assign(parent_.size(), 0);
+  for (std::size_t i = 0; i < parent_.size(); ++i) {
+    parent_[i] = find(static_cast<int>(i));
+    pixels_[static_cast<std::size_t>(parent_[i])] += image.runs[i].pixels();
+  }
+}
+
+void RegionCleaner::findContacts(const LabelRuns& image, int min_pixels) {
+  contacts_.clear();
+  const auto touch = [&](std::size_t i, std::size_t j, int length) {
+    const std::uint16_t a = image.runs[i].label, b = image.runs[j].label;
+    if (a == b || a == kNoDepthLabel || b == kNoDepthLabel) return;
+    const bool a_is_small = pixels_[static_cast<std::size_t>(parent_[i])] < min_pixels;
+    const bool b_is_small = pixels_[static_cast<std::size_t>(parent_[j])] < min_pixels;
+    if (a_is_small && !b_is_small) contacts_.push_back({parent_[i], b, length});
+    if (b_is_small && !a_is_small) contacts_.push_back({parent_[j], a, length});
+  };
+  forEachVerticalContact(image, touch);
+  for (std::size_t i = 1; i < image.runs.size(); ++i) {
+    if (image.runs[i].row == image.runs[i - 1].row) touch(i - 1, i, 1);
+  }
+  std::sort(contacts_.begin(), contacts_.end(), [](const Contact& a, const Contact& b) {
+    return std::tie(a.piece, a.label) < std::tie(b.piece, b.label);
+  });
+}
+
+void RegionCleaner::absorb(LabelRuns& image, int min_pixels) {
+  new_label_.assign(image.runs.size(), 0);  // a small piece that nothing holds for the most part is no plane
+  for (std::size_t i = 0; i < contacts_.size();) {
+    const int piece = contacts_[i].piece;
+    int longest = 0, total = 0;
+    std::uint16_t neighbor = 0;
+    while (i < contacts_.size() && contacts_[i].piece == piece) {
+      const std::uint16_t label = contacts_[i].label;
+      int length = 0;
+      for (; i < contacts_.size() && contacts_[i].piece == piece && contacts_[i].label == label; ++i) {
+        length += contacts_[i].length;
+      }
+      total += length;
+      if (length > longest) {
+        longest = length;
+        neighbor = label;
+      }
+    }
+    if (2 * longest > total) new_label_[static_cast<std::size_t>(piece)] = neighbor;
+  }
+  for (std::size_t i = 0; i < image.runs.size(); ++i) {
+    const std::size_t piece = static_cast<std::size_t>(parent_[i]);
+    if (image.runs[i].label != kNoDepthLabel && pixels_[piece] < min_pixels) image.runs[i].label = new_label_[piece];
+  }
+}
+
+int RegionCleaner::renumber(int min_plane_inliers, int label_count, LabelRuns& image) {
+  label_pixels_.assign(static_cast<std::size_t>(label_count) + 1, 0);
+  for (const LabelRun& run : image.runs) {
+    if (run.label != kNoDepthLabel) label_pixels_[run.label] += run.pixels();
+  }
+  order_.clear();
+  for (int label = 1; label <= label_count; ++label) {
+    const int pixels = label_pixels_[static_cast<std::size_t>(label)];
+    if (pixels > 0 && pixels >= min_plane_inliers) order_.push_back(label);
+  }
+  std::sort(order_.begin(), order_.end(), [this](int a, int b) {
+    const int pa = label_pixels_[static_cast<std::size_t>(a)], pb = label_pixels_[static_cast<std::size_t>(b)];
+    return pa != pb ? pa > pb : a < b;
+  });
+  new_label_.assign(label_pixels_.size(), 0);
+  for (std::size_t i = 0; i < order_.size(); ++i) {
+    new_label_[static_cast<std::size_t>(order_[i])] = static_cast<std::uint16_t>(i + 1);
+  }
+  for (LabelRun& run : image.runs) {
+    if (run.label != kNoDepthLabel) run.label = new_label_[run.label];
+  }
+  return static_cast<int>(order_.size());
+}
+
+int RegionCleaner::clean(const CleanupParameters& parameters, int min_plane_inliers, int label_count,
+                         LabelRuns& image) {
+  connect(image);
+  findContacts(image, parameters.min_region_pixels);
+  absorb(image, parameters.min_region_pixels);
+  return renumber(min_plane_inliers, label_count, image);
+}
+
+}  // namespace line_plane_segmentation
