@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "command_line.h"
 #include "depth_frames.h"
 #include "line_plane_segmentation/parameters.h"
 #include "line_plane_segmentation/plane_segmenter.h"
@@ -81,21 +82,7 @@ po::variables_map parse(int argc, char** argv) {
   all.add_options()("image", po::value<std::vector<std::string>>()->default_value({}, ""));
   po::positional_options_description positional;
   positional.add("image", -1);
-  namespace style = po::command_line_style;
-  po::variables_map given;
-  po::store(po::command_line_parser(argc, argv)
-                .options(all)
-                .positional(positional)
-                .style(style::unix_style & ~style::allow_guessing)
-                .run(),
-            given);
-  po::notify(given);
-  return given;
-}
-
-const po::variable_value& required(const po::variables_map& given, const std::string& option) {
-  if (given.count(option) == 0) throw BadInput("--" + option + " is missing; see --help");
-  return given[option];
+  return parseOptions(argc, argv, all, positional);
 }
 
 Parameters parametersOf(const po::variables_map& given) {
