@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Geometry>
+#include <array>
+#include <cstdint>
+
+namespace line_plane_segmentation::simulation {
+
+/// The way of a camera that somebody holds in his hands and looks around with: smooth and slow, under
+/// 0.3 m/s and 30 degrees/s, with a slight tremor. Defined at all times; it comes by the same places
+/// again and again, but never repeats itself.
+class CameraPath {
+ public:
+  /// @param station  [m] world, the middle of the way; the camera stays within 0.6 m of it
+  /// @param target   [m] world, what it mostly looks at; not straight above or below the station
+  CameraPath(const Eigen::Vector3d& station, const Eigen::Vector3d& target, std::uint64_t seed);
+
+  /// @param seconds  [s] since the start
+  /// @return the pose of the optical frame (x right, y down, z forward) in the world (z up)
+  Eigen::Isometry3d pose(double seconds) const;
+
+ private:
+  /// A slow swing and a fast, small tremor.
+  struct Sway {
+    double amplitude = 0.0;
+    double tremor = 0.0;
+    double frequency = 0.0;  // [rad/s]
+    double phase = 0.0;      // [rad]
+    double at(double seconds) const;
+  };
+
+  Eigen::Vector3d station_;
+  double heading_ = 0.0;       // [rad] about the world's z axis, 0 along x
+  double elevation_ = 0.0;     // [rad] above the horizon
+  std::array<Sway, 6> sways_;  // x, y, z [m]; heading, elevation, roll [rad]
+};
+
+/// The pose of an optical frame that looks into the given direction.
+/// @param heading    [rad] about the world's z axis, 0 along x
+/// @param elevation  [rad] above the horizon
+/// @param roll       [rad] of the camera about its line of sight, clockwise as seen from behind it
+Eigen::Isometry3d lookingAlong(const Eigen::Vector3d& position, double heading, double elevation,
+                               double roll);
+
+}  // namespace line_plane_segmentation::simulation

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+
+#include "line_plane_segmentation/camera_intrinsics.h"
+#include "line_plane_segmentation/simulation/kinect_noise.h"
+#include "line_plane_segmentation/simulation/renderer.h"
+#include "line_plane_segmentation/simulation/room.h"
+
+namespace line_plane_segmentation::simulation {
+
+/// The intrinsics of a Kinect or Xtion whose image has this size: 525 px at 640 columns, the axis in the
+/// middle.
+/// @param width,height  [px], positive
+CameraIntrinsics kinectIntrinsics(int width, int height);
+
+/// A Kinect that is carried through a simulated room. Reads no clock: a frame depends on the seed, its
+/// number and its time alone.
+class SimulatedCamera {
+ public:
+  struct Options {
+    std::uint64_t seed = 1;  ///< of the room, the path and the noise
+    int width = 640;         ///< [px] 1 to 4096
+    int height = 480;        ///< [px] 1 to 4096
+    bool noise = true;       ///< false = exact depth, rounded to millimetres
+  };
+
+  /// @throw std::invalid_argument  if the size is out of its range
+  explicit SimulatedCamera(const Options& options);
+
+  /// Takes a picture.
+  /// @param frame     number of the frame, which its noise depends on
+  /// @param seconds   [s] time on the path
+  /// @param depth_mm  [mm] width * height pixels, 0 = no depth (REP 118)
+  /// @return the truth of that picture, valid until the next one
+  const Rendering& capture(std::uint64_t frame, double seconds, std::uint16_t* depth_mm);
+
+  /// The pose of the optical frame in the world (z up) at that time.
+  Eigen::Isometry3d pose(double seconds) const { return room_.path.pose(seconds); }
+
+  const CameraIntrinsics& intrinsics() const { return intrinsics_; }
+  const Options& options() const { return options_; }
+  const Room& room() const { return room_; }
+
+ private:
+  Options options_;
+  CameraIntrinsics intrinsics_;
+  Room room_;
+  KinectNoise noise_;
+  Rendering rendering_;
+};
+
+}  // namespace line_plane_segmentation::simulation

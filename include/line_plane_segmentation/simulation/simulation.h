@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+/// All of the simulated camera: depth images with exact truth, for demonstrations, tests and benchmarks.
+/// Links Eigen and the core's headers alone (CMake target line_plane_segmentation_simulation).
+///
+/// A ready camera in a furnished room:
+///
+///     SimulatedCamera camera({seed, 640, 480, true});
+///     std::vector<std::uint16_t> depth(640 * 480);
+///     const Rendering& truth = camera.capture(frame, frame / 30.0, depth.data());
+///     // depth: millimetres as from a Kinect; truth.labels, truth.planes, truth.depth: without any error
+///
+/// A scene of one's own, with or without noise:
+///
+///     Scene scene;
+///     scene.addRectangle({-1, -1, 2}, {0, 2, 0}, {2, 0, 0});  // faces a camera at the origin
+///     Rendering truth;
+///     render(scene, Eigen::Isometry3d::Identity(), kinectIntrinsics(640, 480), 640, 480, truth);
+///     KinectNoise({}, seed).apply(truth, kinectIntrinsics(640, 480), frame, depth.data());
+///
+/// A label belongs to a plane, also where a nearer object cuts its picture apart; 0 is "no plane": nothing
+/// at all, or a curved surface. Truth says what is there, also where noise takes the depth away.
+
+#include "line_plane_segmentation/simulation/camera_path.h"
+#include "line_plane_segmentation/simulation/kinect_noise.h"
+#include "line_plane_segmentation/simulation/renderer.h"
+#include "line_plane_segmentation/simulation/room.h"
+#include "line_plane_segmentation/simulation/scene.h"
+#include "line_plane_segmentation/simulation/simulated_camera.h"
