@@ -21,11 +21,18 @@ struct LabelRun {
 /// A label image as runs, row by row, in each from the left; together they cover every pixel.
 struct LabelRuns {
   std::vector<LabelRun> runs;
-  std::vector<std::size_t> row_begin;  ///< index of each row's first run, and the number of runs
+  std::vector<std::size_t> row_begin;  ///< index of each row's first run, and behind the last row the number of runs
 
+  /// Starts an empty image; its rows are then added from the top.
+  void clear();
+
+  /// Adds a row of `width` labels, at least one.
+  void addRow(const std::uint16_t* labels, int width);
+
+  /// All rows of a label image at once.
   void scan(const std::vector<std::uint16_t>& labels, int width, int height);
 
-  /// Writes the runs' labels back, kNoDepthLabel as 0.
+  /// Writes the runs' labels into an image of their size, kNoDepthLabel as 0.
   void write(std::vector<std::uint16_t>& labels, int width) const;
 
  private:

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "line_plane_segmentation/label_runs.h"
 #include "line_plane_segmentation/patch_clustering.h"
 
 namespace line_plane_segmentation {
@@ -13,10 +14,10 @@ namespace line_plane_segmentation {
 /// where both fit alike parts them, and no plane reaches into a surface far from its patches.
 class PixelAssigner {
  public:
-  /// @param labels  width * height: k + 1 for cluster k, 0 for no plane, kNoDepthLabel for no depth
+  /// @param image  k + 1 for cluster k, 0 for no plane, kNoDepthLabel for no depth
   void assign(const DepthImage& depth, const ViewRays& rays, const PatchGrid& grid,
               const std::vector<PatchCluster>& clusters, const std::vector<int>& cluster_of,
-              const Parameters& parameters, std::vector<std::uint16_t>& labels);
+              const Parameters& parameters, LabelRuns& image);
 
  private:
   /// Columns first to last - 1 of the image, in which a plane is asked.
@@ -28,8 +29,9 @@ class PixelAssigner {
 
   std::vector<Span> spans_;
   std::vector<int> open_span_;  // of each cluster, in the row of the grid being looked at; -1 if none
-  std::vector<float> inverse_depth_, along_, best_;
-  std::vector<std::int32_t> label_;
+  // One row of the image.
+  std::vector<float> inverse_depth_, inverse_tolerance_, best_;
+  std::vector<std::uint16_t> label_;
 };
 
 }  // namespace line_plane_segmentation

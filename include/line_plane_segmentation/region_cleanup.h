@@ -19,21 +19,23 @@ class RegionCleaner {
   int clean(const CleanupParameters& parameters, int min_plane_inliers, int label_count, LabelRuns& image);
 
  private:
-  /// A small piece touches a large one of another label.
+  /// A border that a small piece shares with large ones of one label.
   struct Contact {
-    int piece;
     std::uint16_t label;
     int length;
+    int next;  ///< another contact of the same piece, or -1
   };
 
   int find(int run);
   void connect(const LabelRuns& image);
+  void touch(int piece, std::uint16_t label, int length);
   void findContacts(const LabelRuns& image, int min_pixels);
-  void absorb(LabelRuns& image, int min_pixels);
+  std::uint16_t mostTouched(int piece) const;
   int renumber(int min_plane_inliers, int label_count, LabelRuns& image);
 
-  std::vector<int> parent_;  // of each run
-  std::vector<int> pixels_;  // of the piece, at its root
+  std::vector<int> parent_;         // of each run
+  std::vector<int> pixels_;         // of the piece, at its root
+  std::vector<int> first_contact_;  // of the piece, at its root
   std::vector<Contact> contacts_;
   std::vector<std::uint16_t> new_label_;
   std::vector<int> label_pixels_, order_;

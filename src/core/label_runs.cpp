@@ -7,29 +7,36 @@
 
 namespace line_plane_segmentation {
 
-void LabelRuns::scan(const std::vector<std::uint16_t>& labels, int width, int height) {
+void LabelRuns::clear() {
   runs.clear();
-  row_begin.clear();
+  row_begin.assign(1, 0);
+}
+
+void LabelRuns::addRow(const std::uint16_t* labels, int width) {
+  const int row = static_cast<int>(row_begin.size()) - 1;
   const std::size_t words = (static_cast<std::size_t>(width) + 7) / 8;
-  changes_.assign(words, 0);
-  for (int v = 0; v < height; ++v) {
-    row_begin.push_back(runs.size());
-    const std::uint16_t* row = labels.data() + static_cast<std::size_t>(v) * static_cast<std::size_t>(width);
-    std::uint8_t* changes = reinterpret_cast<std::uint8_t*>(changes_.data());
-    markChanges(row, width, changes);
-    int first = 0;
-    for (std::size_t word = 0; word < words; ++word) {
-      if (changes_[word] == 0) continue;
-      const int end = std::min(width, static_cast<int>(word) * 8 + 8);
-      for (int u = static_cast<int>(word) * 8; u < end; ++u) {
-        if (changes[u] == 0) continue;
-        runs.push_back({v, first, u, row[first]});
-        first = u;
-      }
+  if (changes_.size() != words) changes_.assign(words, 0);
+  std::uint8_t* changes = reinterpret_cast<std::uint8_t*>(changes_.data());
+  markChanges(labels, width, changes);
+  int first = 0;
+  for (std::size_t word = 0; word < words; ++word) {
+    if (changes_[word] == 0) continue;  // most labels are the same as eight pixels before
+    const int end = std::min(width, static_cast<int>(word) * 8 + 8);
+    for (int u = static_cast<int>(word) * 8; u < end; ++u) {
+      if (changes[u] == 0) continue;
+      runs.push_back({row, first, u, labels[first]});
+      first = u;
     }
-    runs.push_back({v, first, width, row[first]});
   }
+  runs.push_back({row, first, width, labels[first]});
   row_begin.push_back(runs.size());
+}
+
+void LabelRuns::scan(const std::vector<std::uint16_t>& labels, int width, int height) {
+  clear();
+  for (int v = 0; v < height; ++v) {
+    addRow(labels.data() + static_cast<std::size_t>(v) * static_cast<std::size_t>(width), width);
+  }
 }
 
 void LabelRuns::write(std::vector<std::uint16_t>& labels, int width) const {

@@ -76,8 +76,7 @@ void BorderFollower::follow(const std::uint16_t* labels, int width, int height, 
   corners_.clear();
   borders_.clear();
   largest_.assign(static_cast<std::size_t>(label_count) + 1, 0);
-  // Corners at the right and the lower edge belong to no pixel, but are marked with nothing.
-  seen_.assign(pixelAt(width, height) + 1, 0);
+  seen_.assign(pixelAt(width, height) / kSeenInByte + 1, 0);
   row_above_image_.assign(static_cast<std::size_t>(width), 0);
   differences_.resize(static_cast<std::size_t>(width / kStretch));
   marks_.assign(static_cast<std::size_t>(width + kStretch), 0);
@@ -94,10 +93,10 @@ void BorderFollower::follow(const std::uint16_t* labels, int width, int height, 
       const std::uint16_t around = above[x];
       const bool is_reflex = (around == row[left]) & (around == above[left]) & is_label(around);
       const int kinds = (is_label(row[x]) ? kConvex : 0) | (is_reflex ? kReflex : 0);
-      const std::uint8_t& seen = seen_[pixelAt(x, y)];
-      if ((kinds & ~seen) == 0) continue;
-      if ((kinds & ~seen & kConvex) != 0) followFrom(x, y, kDown);
-      if ((kinds & ~seen & kReflex) != 0) followFrom(x, y, kRight);
+      const std::size_t pixel = pixelAt(x, y);
+      if ((kinds & ~seenAt(pixel)) == 0) continue;
+      if ((kinds & ~seenAt(pixel) & kConvex) != 0) followFrom(x, y, kDown);
+      if ((kinds & ~seenAt(pixel) & kReflex) != 0) followFrom(x, y, kRight);
     }
   }
   // Small parts that were the largest of their label only until a larger one was met.
@@ -158,18 +157,17 @@ void BorderFollower::followFrom(int start_x, int start_y, Direction start_direct
     std::ptrdiff_t right = inside ? corner + ahead[(direction + 3) % 4] : 0;
     int steps = 0;
     bool turns_left = false, turns_right = false;
-    do {
+    while (!turns_left && !turns_right) {
       ++steps;
       left += left_stride;
       right += right_stride;
       turns_left = steps == room || labels_[left] != label;
-      turns_right = right_labels[right] == label;
-    } while (!(turns_left | turns_right));
-
+      turns_right = !turns_left && right_labels[right] == label;
+    }
     x += kStepX[direction] * steps;
     y += kStepY[direction] * steps;
     area -= std::int64_t{x} * (kStepY[direction] * steps);
-    seen_[pixelAt(x, y)] |= turns_left ? kSeenTurningLeft[direction] : kSeenTurningRight[direction];
+    markSeen(pixelAt(x, y), turns_left ? kSeenTurningLeft[direction] : kSeenTurningRight[direction]);
     direction = (direction + (turns_left ? 1 : 3)) % 4;
   } while (x != start_x || y != start_y || direction != start_direction);
 

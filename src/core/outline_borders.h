@@ -48,6 +48,15 @@ class BorderFollower {
     return static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(x);
   }
 
+  // Two bits for each pixel. Corners at the right and the lower edge of the image belong to no pixel; nothing
+  // is marked there, but the place is touched.
+  static constexpr std::size_t kSeenInByte = 4;
+  int seenAt(std::size_t pixel) const { return seen_[pixel / kSeenInByte] >> (pixel % kSeenInByte * 2); }
+  void markSeen(std::size_t pixel, unsigned kinds) {
+    std::uint8_t& byte = seen_[pixel / kSeenInByte];
+    byte = static_cast<std::uint8_t>(byte | kinds << (pixel % kSeenInByte * 2));
+  }
+
   const std::uint16_t* labels_ = nullptr;
   int width_ = 0, height_ = 0;
   std::int64_t min_area_ = 0;
@@ -55,7 +64,7 @@ class BorderFollower {
   std::vector<Border> borders_;
   std::vector<std::int64_t> largest_;  // area of the largest part so far, by label
   std::vector<std::uint8_t>
-      seen_;  // by pixel: which borders that may start at its upper left corner were followed
+      seen_;  // which of the borders that may start at a pixel's upper left corner were followed
   // Of one row: columns where borders may start, and what they are found with.
   std::vector<int> starts_;
   std::vector<std::uint8_t> marks_;

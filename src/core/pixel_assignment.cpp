@@ -3,7 +3,6 @@
 
 #include <algorithm>
 
-#include "line_plane_segmentation/label_runs.h"
 #include "row_kernels.h"
 
 namespace line_plane_segmentation {
@@ -32,32 +31,37 @@ void PixelAssigner::findSpans(const PatchGrid& grid, int row, int width, const s
 
 void PixelAssigner::assign(const DepthImage& depth, const ViewRays& rays, const PatchGrid& grid,
                            const std::vector<PatchCluster>& clusters, const std::vector<int>& cluster_of,
-                           const Parameters& parameters, std::vector<std::uint16_t>& labels) {
+                           const Parameters& parameters, LabelRuns& image) {
   const std::size_t width = static_cast<std::size_t>(depth.width);
-  for (std::vector<float>* row : {&inverse_depth_, &along_, &best_}) row->resize(width);
+  for (std::vector<float>* row : {&inverse_depth_, &inverse_tolerance_, &best_}) row->resize(width);
   label_.resize(width);
   open_span_.assign(clusters.size(), -1);
-  const NoiseParameters& noise = parameters.noise;
-  const float noise_factor = static_cast<float>(parameters.extraction.distance_noise_factor);
+  const float factor = static_cast<float>(parameters.extraction.distance_noise_factor);
+  const RowNoise noise{static_cast<float>(parameters.noise.floor) * factor,
+                       static_cast<float>(parameters.noise.growth) * factor,
+                       static_cast<float>(parameters.noise.nearest)};
 
-  for (int v = 0; v < depth.height; ++v) {
+  image.clear();
+  spans_.clear();
+  for (int v = 0, spans_of = -1; v < depth.height; ++v) {
     const int grid_row = std::min(v / grid.spacing, grid.rows - 1);
-    if (grid.rows > 0 && (v == 0 || grid_row != std::min((v - 1) / grid.spacing, grid.rows - 1))) {
+    if (grid_row != spans_of) {
       findSpans(grid, grid_row, depth.width, cluster_of);
+      spans_of = grid_row;
     }
-    prepareRow(depth.row(v), depth.width,
-               {static_cast<float>(noise.floor) * noise_factor, static_cast<float>(noise.growth) * noise_factor,
-                static_cast<float>(noise.nearest)},
-               inverse_depth_.data(), along_.data(), best_.data(), label_.data());
+    const float* z = depth.row(v);
+    const double y = rays.y[static_cast<std::size_t>(v)];
+    prepareRow(z, depth.width, noise, inverse_depth_.data(), inverse_tolerance_.data(), best_.data(), label_.data());
     for (const Span& span : spans_) {
       const InverseDepthPlane& plane = clusters[static_cast<std::size_t>(span.cluster)].plane;
-      const RowOfPlane row{
-          static_cast<float>(plane.a), static_cast<float>(plane.b * rays.y[static_cast<std::size_t>(v)] + plane.c),
-          static_cast<float>(parameters.extraction.plane_distance * plane.inverseDistance()), span.cluster + 1};
-      assignIfBetter(inverse_depth_.data() + span.first, along_.data() + span.first, rays.x.data() + span.first,
-                     span.last - span.first, row, best_.data() + span.first, label_.data() + span.first);
+      const RowOfPlane row{static_cast<float>(plane.a), static_cast<float>(plane.b * y + plane.c),
+                           static_cast<float>(1.0 / (parameters.extraction.plane_distance * plane.inverseDistance())),
+                           static_cast<std::uint16_t>(span.cluster + 1)};
+      assignIfBetter(z + span.first, inverse_depth_.data() + span.first, inverse_tolerance_.data() + span.first,
+                     rays.x.data() + span.first, span.last - span.first, row, best_.data() + span.first,
+                     label_.data() + span.first);
     }
-    storeLabels(label_.data(), depth.width, labels.data() + depth.index(0, v));
+    image.addRow(label_.data(), depth.width);
   }
 }
 

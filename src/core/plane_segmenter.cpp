@@ -15,6 +15,7 @@
 #include "line_plane_segmentation/plane_measurement.h"
 #include "line_plane_segmentation/region_cleanup.h"
 #include "line_plane_segmentation/surface_patch.h"
+#include "row_kernels.h"
 
 namespace line_plane_segmentation {
 namespace {
@@ -22,7 +23,7 @@ namespace {
 void clear(const DepthView& view, Segmentation& result) {
   result.width = std::max(0, view.width);
   result.height = std::max(0, view.height);
-  result.labels.assign(static_cast<std::size_t>(result.width) * static_cast<std::size_t>(result.height), 0);
+  result.labels.resize(static_cast<std::size_t>(result.width) * static_cast<std::size_t>(result.height));
   result.planes.clear();
   result.rings.clear();
   result.vertices.clear();
@@ -37,8 +38,9 @@ class SilentObserver final : public StageObserver {
 };
 
 std::uint32_t countValid(const DepthImage& depth) {
-  return static_cast<std::uint32_t>(
-      std::count_if(depth.z.begin(), depth.z.end(), [](float z) { return z > 0.0F; }));
+  std::uint32_t count = 0;
+  for (int v = 0; v < depth.height; ++v) count += static_cast<std::uint32_t>(countDepths(depth.row(v), depth.width));
+  return count;
 }
 
 }  // namespace
@@ -47,12 +49,16 @@ struct PlaneSegmenter::Stages {
   Parameters parameters;
   DepthImage depth;
   ViewRays rays;
-  std::vector<LineSegment> segments;
-  std::vector<PlaneCandidate> candidates;
   LabelRuns runs;
   PlaneMeasurement measurement;
   OutlineTracer outlines;
   Segmentation result;
+
+  // What lineSegments() and candidates() show; the adaptive method makes them only when asked.
+  std::vector<LineSegment> segments;
+  std::vector<PlaneCandidate> candidates;
+  Parameters resolved;  // of the last frame
+  bool is_described = true;
 
   // Method paper.
   LineExtractor line_extractor;
@@ -68,33 +74,38 @@ struct PlaneSegmenter::Stages {
   RegionCleaner cleaner;
 
   // Each fills `runs` with the labels that it found, and returns how many there are.
-  int runPaper(const CameraIntrinsics& camera, const Parameters& resolved, StageObserver& observer);
-  int runAdaptive(const Parameters& resolved, StageObserver& observer);
+  int runPaper(const CameraIntrinsics& camera, StageObserver& observer);
+  int runAdaptive(StageObserver& observer);
+  void describe();
 };
 
-int PlaneSegmenter::Stages::runPaper(const CameraIntrinsics& camera, const Parameters& resolved,
-                                     StageObserver& observer) {
+int PlaneSegmenter::Stages::runPaper(const CameraIntrinsics& camera, StageObserver& observer) {
   line_extractor.extract(depth, camera, resolved, segments);
   observer.stageFinished(Stage::kLines);
   detectCandidates(depth, rays, segments, resolved.candidates, candidates);
   observer.stageFinished(Stage::kCandidates);
+  std::fill(result.labels.begin(), result.labels.end(), std::uint16_t{0});
   const int label_count = plane_extractor.extract(depth, rays, candidates, resolved, result.labels);
-  observer.stageFinished(Stage::kExtraction);
   runs.scan(result.labels, depth.width, depth.height);
+  observer.stageFinished(Stage::kExtraction);
   return label_count;
 }
 
-int PlaneSegmenter::Stages::runAdaptive(const Parameters& resolved, StageObserver& observer) {
+int PlaneSegmenter::Stages::runAdaptive(StageObserver& observer) {
   patch_detector.detect(depth, rays, resolved, patch_grid);
+  is_described = false;
   observer.stageFinished(Stage::kLines);
-  describePatches(patch_grid, rays, resolved, segments, candidates);
-  observer.stageFinished(Stage::kCandidates);
   clusterer.cluster(depth, rays, patch_grid, resolved, clusters, cluster_of);
-  assigner.assign(depth, rays, patch_grid, clusters, cluster_of, resolved, result.labels);
+  observer.stageFinished(Stage::kCandidates);
+  assigner.assign(depth, rays, patch_grid, clusters, cluster_of, resolved, runs);
   observer.stageFinished(Stage::kExtraction);
-  runs.scan(result.labels, depth.width, depth.height);
   return cleaner.clean(resolved.cleanup, resolved.extraction.min_plane_inliers, static_cast<int>(clusters.size()),
                        runs);
+}
+
+void PlaneSegmenter::Stages::describe() {
+  if (!is_described) describePatches(patch_grid, rays, resolved, segments, candidates);
+  is_described = true;
 }
 
 const char* nameOf(Stage stage) {
@@ -115,8 +126,16 @@ void PlaneSegmenter::setParameters(const Parameters& parameters) {
 }
 
 const Parameters& PlaneSegmenter::parameters() const { return stages_->parameters; }
-const std::vector<LineSegment>& PlaneSegmenter::lineSegments() const { return stages_->segments; }
-const std::vector<PlaneCandidate>& PlaneSegmenter::candidates() const { return stages_->candidates; }
+
+const std::vector<LineSegment>& PlaneSegmenter::lineSegments() const {
+  stages_->describe();
+  return stages_->segments;
+}
+
+const std::vector<PlaneCandidate>& PlaneSegmenter::candidates() const {
+  stages_->describe();
+  return stages_->candidates;
+}
 
 const Segmentation& PlaneSegmenter::segment(const DepthView& view, const CameraIntrinsics& camera,
                                             StageObserver* observer) {
@@ -127,21 +146,25 @@ const Segmentation& PlaneSegmenter::segment(const DepthView& view, const CameraI
   clear(view, s.result);
   s.segments.clear();
   s.candidates.clear();
-  if (view.empty() || !camera.isValid()) return s.result;
+  s.is_described = true;
+  if (view.empty() || !camera.isValid()) {
+    std::fill(s.result.labels.begin(), s.result.labels.end(), std::uint16_t{0});
+    return s.result;
+  }
 
-  const Parameters parameters = resolve(s.parameters, view.width);
-  const DepthRange range{static_cast<float>(parameters.scanlines.min_range),
-                         static_cast<float>(parameters.scanlines.max_range)};
+  s.resolved = resolve(s.parameters, view.width);
+  const DepthRange range{static_cast<float>(s.resolved.scanlines.min_range),
+                         static_cast<float>(s.resolved.scanlines.max_range)};
   loadDepth(view, range, s.depth);
   s.rays.compute(camera, view.width, view.height);
   s.result.valid_pixels = countValid(s.depth);
 
-  const int label_count = parameters.method == Method::kPaper ? s.runPaper(camera, parameters, stage_observer)
-                                                              : s.runAdaptive(parameters, stage_observer);
-  s.measurement.measure(s.depth, s.rays, camera, label_count, parameters.extraction.min_plane_area, s.runs, s.result);
+  const int label_count = s.resolved.method == Method::kPaper ? s.runPaper(camera, stage_observer)
+                                                              : s.runAdaptive(stage_observer);
+  s.measurement.measure(s.depth, s.rays, camera, label_count, s.resolved.extraction.min_plane_area, s.runs, s.result);
   s.runs.write(s.result.labels, view.width);
   stage_observer.stageFinished(Stage::kRefinement);
-  s.outlines.trace(camera, parameters.outlines, s.result);
+  s.outlines.trace(camera, s.resolved.outlines, s.result);
   stage_observer.stageFinished(Stage::kOutlines);
   return s.result;
 }

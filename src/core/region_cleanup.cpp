@@ -2,7 +2,6 @@
 #include "line_plane_segmentation/region_cleanup.h"
 
 #include <algorithm>
-#include <tuple>
 
 namespace line_plane_segmentation {
 
@@ -30,49 +29,48 @@ void RegionCleaner::connect(const LabelRuns& image) {
   }
 }
 
+void RegionCleaner::touch(int piece, std::uint16_t label, int length) {
+  int& first = first_contact_[static_cast<std::size_t>(piece)];
+  for (int i = first; i >= 0; i = contacts_[static_cast<std::size_t>(i)].next) {
+    if (contacts_[static_cast<std::size_t>(i)].label != label) continue;
+    contacts_[static_cast<std::size_t>(i)].length += length;
+    return;
+  }
+  contacts_.push_back({label, length, first});
+  first = static_cast<int>(contacts_.size()) - 1;
+}
+
 void RegionCleaner::findContacts(const LabelRuns& image, int min_pixels) {
   contacts_.clear();
-  const auto touch = [&](std::size_t i, std::size_t j, int length) {
+  first_contact_.assign(parent_.size(), -1);
+  const auto meet = [&](std::size_t i, std::size_t j, int length) {
     const std::uint16_t a = image.runs[i].label, b = image.runs[j].label;
     if (a == b || a == kNoDepthLabel || b == kNoDepthLabel) return;
     const bool a_is_small = pixels_[static_cast<std::size_t>(parent_[i])] < min_pixels;
     const bool b_is_small = pixels_[static_cast<std::size_t>(parent_[j])] < min_pixels;
-    if (a_is_small && !b_is_small) contacts_.push_back({parent_[i], b, length});
-    if (b_is_small && !a_is_small) contacts_.push_back({parent_[j], a, length});
+    if (a_is_small && !b_is_small) touch(parent_[i], b, length);
+    if (b_is_small && !a_is_small) touch(parent_[j], a, length);
   };
-  forEachVerticalContact(image, touch);
+  forEachVerticalContact(image, meet);
   for (std::size_t i = 1; i < image.runs.size(); ++i) {
-    if (image.runs[i].row == image.runs[i - 1].row) touch(i - 1, i, 1);
+    if (image.runs[i].row == image.runs[i - 1].row) meet(i - 1, i, 1);
   }
-  std::sort(contacts_.begin(), contacts_.end(), [](const Contact& a, const Contact& b) {
-    return std::tie(a.piece, a.label) < std::tie(b.piece, b.label);
-  });
 }
 
-void RegionCleaner::absorb(LabelRuns& image, int min_pixels) {
-  new_label_.assign(image.runs.size(), 0);  // a small piece that nothing holds for the most part is no plane
-  for (std::size_t i = 0; i < contacts_.size();) {
-    const int piece = contacts_[i].piece;
-    int longest = 0, total = 0;
-    std::uint16_t neighbor = 0;
-    while (i < contacts_.size() && contacts_[i].piece == piece) {
-      const std::uint16_t label = contacts_[i].label;
-      int length = 0;
-      for (; i < contacts_.size() && contacts_[i].piece == piece && contacts_[i].label == label; ++i) {
-        length += contacts_[i].length;
-      }
-      total += length;
-      if (length > longest) {
-        longest = length;
-        neighbor = label;
-      }
+// The label that holds more than half of a small piece's border, or 0: no plane.
+std::uint16_t RegionCleaner::mostTouched(int piece) const {
+  int longest = 0, total = 0;
+  std::uint16_t label = 0;
+  for (int i = first_contact_[static_cast<std::size_t>(piece)]; i >= 0;) {
+    const Contact& contact = contacts_[static_cast<std::size_t>(i)];
+    total += contact.length;
+    if (contact.length > longest) {
+      longest = contact.length;
+      label = contact.label;
     }
-    if (2 * longest > total) new_label_[static_cast<std::size_t>(piece)] = neighbor;
+    i = contact.next;
   }
-  for (std::size_t i = 0; i < image.runs.size(); ++i) {
-    const std::size_t piece = static_cast<std::size_t>(parent_[i]);
-    if (image.runs[i].label != kNoDepthLabel && pixels_[piece] < min_pixels) image.runs[i].label = new_label_[piece];
-  }
+  return 2 * longest > total ? label : std::uint16_t{0};
 }
 
 int RegionCleaner::renumber(int min_plane_inliers, int label_count, LabelRuns& image) {
@@ -101,9 +99,15 @@ int RegionCleaner::renumber(int min_plane_inliers, int label_count, LabelRuns& i
 
 int RegionCleaner::clean(const CleanupParameters& parameters, int min_plane_inliers, int label_count,
                          LabelRuns& image) {
+  const int min_pixels = parameters.min_region_pixels;
   connect(image);
-  findContacts(image, parameters.min_region_pixels);
-  absorb(image, parameters.min_region_pixels);
+  findContacts(image, min_pixels);
+  for (std::size_t i = 0; i < image.runs.size(); ++i) {
+    const int piece = parent_[i];
+    if (image.runs[i].label != kNoDepthLabel && pixels_[static_cast<std::size_t>(piece)] < min_pixels) {
+      image.runs[i].label = mostTouched(piece);
+    }
+  }
   return renumber(min_plane_inliers, label_count, image);
 }
 

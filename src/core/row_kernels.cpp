@@ -34,44 +34,47 @@ void linkNeighbors(const float* z, const float* below, const float* x, float y, 
 }
 
 LPS_MULTIVERSION
-void markChanges(const std::uint16_t* labels, int count, std::uint8_t* changes) {
+int countDepths(const float* z, int count) {
+  int depths = 0;
+  for (int i = 0; i < count; ++i) depths += z[i] > 0.0F ? 1 : 0;
+  return depths;
+}
+
+LPS_MULTIVERSION
+void markChanges(const std::uint16_t* __restrict labels, int count, std::uint8_t* __restrict changes) {
   if (count > 0) changes[0] = 0;
   for (int i = 1; i < count; ++i) changes[i] = static_cast<std::uint8_t>(labels[i] != labels[i - 1]);
 }
 
 LPS_MULTIVERSION
-void prepareRow(const float* z, int count, const RowNoise& noise, float* inverse_depth, float* along, float* best,
-                std::int32_t* label) {
+void prepareRow(const float* __restrict z, int count, const RowNoise& noise, float* __restrict inverse_depth,
+                float* __restrict inverse_tolerance, float* __restrict best, std::uint16_t* __restrict label) {
   const RowNoise n = noise;
   for (int i = 0; i < count; ++i) {
     const bool valid = z[i] > 0.0F;
-    const float w = valid ? 1.0F / z[i] : 0.0F;
+    const float w = 1.0F / z[i];
     const float reach = 1.0F - n.nearest * w;
     const float tolerance = n.floor * w * w + n.growth * reach * reach;
-    inverse_depth[i] = w;
-    along[i] = valid ? tolerance : 0.0F;  // with no tolerance either way, no plane is ever better
-    best[i] = 1.0F;
-    label[i] = valid ? 0 : kNoDepthLabel;
+    inverse_depth[i] = valid ? w : 0.0F;
+    inverse_tolerance[i] = 1.0F / tolerance;
+    best[i] = valid ? 1.0F : 0.0F;
+    label[i] = valid ? std::uint16_t{0} : kNoDepthLabel;
   }
 }
 
 LPS_MULTIVERSION
-void assignIfBetter(const float* inverse_depth, const float* along, const float* x, int count, const RowOfPlane& plane,
-                    float* best, std::int32_t* label) {
+void assignIfBetter(const float* __restrict z, const float* __restrict inverse_depth,
+                    const float* __restrict inverse_tolerance, const float* __restrict x, int count,
+                    const RowOfPlane& plane, float* __restrict best, std::uint16_t* __restrict label) {
   const RowOfPlane p = plane;
   for (int i = 0; i < count; ++i) {
-    const float across = p.across * inverse_depth[i];
-    const float tolerance = along[i] > across ? along[i] : across;
-    const float error = std::fabs(inverse_depth[i] - (p.slope * x[i] + p.offset)) / tolerance;
+    const float across = p.inverse_across * z[i];
+    const float inverse = inverse_tolerance[i] < across ? inverse_tolerance[i] : across;
+    const float error = std::fabs(inverse_depth[i] - (p.slope * x[i] + p.offset)) * inverse;
     const bool better = error < best[i];
     best[i] = better ? error : best[i];
     label[i] = better ? p.label : label[i];
   }
-}
-
-LPS_MULTIVERSION
-void storeLabels(const std::int32_t* label, int count, std::uint16_t* labels) {
-  for (int i = 0; i < count; ++i) labels[i] = static_cast<std::uint16_t>(label[i]);
 }
 
 LPS_MULTIVERSION

@@ -30,6 +30,9 @@ constexpr std::uint8_t kLinkDown = 2;   ///< the pixel and the one below are nea
 void linkNeighbors(const float* z, const float* below, const float* x, float y, float y_below, int count, float bound,
                    std::uint8_t* links);
 
+/// How many of the depths are one, that is, not 0.
+int countDepths(const float* z, int count);
+
 /// changes[i] = 1 where labels[i] differs from labels[i - 1], else 0; changes[0] = 0.
 void markChanges(const std::uint16_t* labels, int count, std::uint8_t* changes);
 
@@ -39,26 +42,23 @@ struct RowNoise {
 };
 
 /// Makes a row ready for assignIfBetter().
-/// @param inverse_depth  1 / z, or 0 where there is no depth
-/// @param along          [1/m] tolerance along the ray, DepthTolerance::along()
-/// @param best           1: a pixel must lie within the tolerance
-/// @param label          0, or kNoDepthLabel where there is no depth
-void prepareRow(const float* z, int count, const RowNoise& noise, float* inverse_depth, float* along, float* best,
-                std::int32_t* label);
+/// @param inverse_depth     [1/m] 1 / z, or 0 where there is no depth
+/// @param inverse_tolerance [m] 1 / DepthTolerance::along(), undefined where there is no depth
+/// @param best              1: a pixel must lie within the tolerance; 0 where there is no depth: nothing is better
+/// @param label             0, or kNoDepthLabel where there is no depth
+void prepareRow(const float* z, int count, const RowNoise& noise, float* inverse_depth, float* inverse_tolerance,
+                float* best, std::uint16_t* label);
 
 /// A plane along a row: its inverse depth is slope * x + offset.
 struct RowOfPlane {
   float slope, offset;
-  float across;  ///< the tolerance across the plane is this times the inverse depth
-  std::int32_t label;
+  float inverse_across;  ///< 1 / (distance / d): DepthTolerance's part across the plane is this times z, inverted
+  std::uint16_t label;
 };
 
 /// Gives each pixel whose error, in tolerances, is under `best` to the plane, and remembers the error there.
-void assignIfBetter(const float* inverse_depth, const float* along, const float* x, int count, const RowOfPlane& plane,
-                    float* best, std::int32_t* label);
-
-/// Narrows labels to 16 bits.
-void storeLabels(const std::int32_t* label, int count, std::uint16_t* labels);
+void assignIfBetter(const float* z, const float* inverse_depth, const float* inverse_tolerance, const float* x,
+                    int count, const RowOfPlane& plane, float* best, std::uint16_t* label);
 
 /// Sums over a run of pixels of depth z on rays (x, y, 1) with one y.
 struct RunSums {

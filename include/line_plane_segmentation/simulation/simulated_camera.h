@@ -10,6 +10,8 @@
 
 namespace line_plane_segmentation::simulation {
 
+constexpr int kMaxImageSide = 4096;  ///< [px]
+
 /// The intrinsics of a Kinect or Xtion whose image has this size: 525 px at 640 columns, the axis in the
 /// middle.
 /// @param width,height  [px], positive
@@ -21,8 +23,8 @@ class SimulatedCamera {
  public:
   struct Options {
     std::uint64_t seed = 1;  ///< of the room, the path and the noise
-    int width = 640;         ///< [px] 1 to 4096
-    int height = 480;        ///< [px] 1 to 4096
+    int width = 640;         ///< [px] 1 to kMaxImageSide
+    int height = 480;        ///< [px] 1 to kMaxImageSide
     bool noise = true;       ///< false = exact depth, rounded to millimetres
   };
 
