@@ -1,0 +1,90 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""playback.launch: every image of a bag is answered, from the first one on."""
+import array
+import os
+import signal
+import subprocess
+import tempfile
+import threading
+import unittest
+
+import genpy
+import rosbag
+import rospy
+import rostest
+from geometry_msgs.msg import TransformStamped
+from sensor_msgs.msg import CameraInfo, Image
+from tf2_msgs.msg import TFMessage
+
+from line_plane_segmentation.msg import PlaneArray
+
+WIDTH, HEIGHT, FOCAL_LENGTH = 320, 240, 285.0
+FRAMES = 30
+# Slower than a camera: what is tested is that playing waits, not how fast the machine is.
+FRAMES_PER_SECOND = 10
+CAMERA_FRAME = "camera_depth_optical_frame"
+
+
+def wall():
+    """A wall across the view, 2 m away, in millimetres."""
+    return array.array("H", [2000] * (WIDTH * HEIGHT)).tobytes()
+
+
+def write_bag(path, namespace):
+    """A bag of FRAMES depth images, with tf and with a topic that nobody listens to. Returns the images' stamps."""
+    image = Image(height=HEIGHT, width=WIDTH, encoding="16UC1", step=2 * WIDTH, data=wall())
+    info = CameraInfo(height=HEIGHT, width=WIDTH, distortion_model="plumb_bob", D=[0.0] * 5)
+    info.K = [FOCAL_LENGTH, 0, WIDTH / 2, 0, FOCAL_LENGTH, HEIGHT / 2, 0, 0, 1]
+    info.R = [1, 0, 0, 0, 1, 0, 0, 0, 1]
+    info.P = [FOCAL_LENGTH, 0, WIDTH / 2, 0, 0, FOCAL_LENGTH, HEIGHT / 2, 0, 0, 0, 1, 0]
+    mount = TransformStamped(child_frame_id=CAMERA_FRAME)
+    mount.header.frame_id = "world"
+    mount.transform.rotation.w = 1.0
+
+    stamps = [genpy.Time(1000) + genpy.Duration.from_sec(i / FRAMES_PER_SECOND) for i in range(FRAMES)]
+    with rosbag.Bag(path, "w") as bag:
+        for stamp in stamps:
+            for message in (image, info, mount):
+                message.header.stamp = stamp
+            image.header.frame_id = info.header.frame_id = CAMERA_FRAME
+            bag.write("/tf", TFMessage([mount]), stamp)
+            bag.write(namespace + "/image_raw", image, stamp)
+            bag.write(namespace + "/camera_info", info, stamp)
+            bag.write("/unheard", info, stamp)
+    return stamps
+
+
+class PlaybackLaunchTest(unittest.TestCase):
+    def test_every_image_is_answered(self):
+        arrays = []
+        enough = threading.Event()
+
+        def collect(message):
+            arrays.append(message)
+            if len(arrays) >= FRAMES:
+                enough.set()
+
+        rospy.Subscriber("/camera/plane_segmenter/planes", PlaneArray, collect, queue_size=FRAMES)
+
+        with tempfile.TemporaryDirectory() as folder:
+            stamps = write_bag(os.path.join(folder, "a wall.bag"), "/kinect/depth")
+            command = ["roslaunch", "line_plane_segmentation", "playback.launch", "rviz:=false", "bag:=a wall.bag",
+                       "depth_topic:=/kinect/depth/image_raw"]
+            launch = subprocess.Popen(command, cwd=folder, env=dict(os.environ, PWD=folder))
+            try:
+                enough.wait(60)
+                rospy.rostime.wallsleep(1.0)
+            finally:
+                launch.send_signal(signal.SIGINT)
+                launch.wait(30)
+
+        self.assertEqual(stamps, [message.header.stamp for message in arrays])
+        for message in arrays:
+            self.assertEqual((WIDTH, HEIGHT), (message.image_width, message.image_height))
+            self.assertEqual(1, len(message.planes), "one wall")
+
+
+if __name__ == "__main__":
+    rospy.init_node("playback_launch_test")
+    rostest.rosrun("line_plane_segmentation", "playback_launch", PlaybackLaunchTest)
