@@ -27,15 +27,21 @@ struct LabelRuns {
   void clear();
 
   /// Adds a row of `width` labels, at least one.
-  void addRow(const std::uint16_t* labels, int width);
+  /// @param max_speckle  [px] so many pixels between two of one label take that label; those without depth do not
+  void addRow(const std::uint16_t* labels, int width, int max_speckle);
 
   /// All rows of a label image at once.
   void scan(const std::vector<std::uint16_t>& labels, int width, int height);
+
+  /// Makes one run of neighbours in a row that have come to carry the same label.
+  void join();
 
   /// Writes the runs' labels into an image of their size, kNoDepthLabel as 0.
   void write(std::vector<std::uint16_t>& labels, int width) const;
 
  private:
+  void joinOverSpeckles(std::size_t begin, int max_speckle);
+
   std::vector<std::uint64_t> changes_;  // of a row: a byte for each pixel, not 0 where another label begins
 };
 

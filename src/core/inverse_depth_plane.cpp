@@ -24,13 +24,15 @@ void RegressionMoments::scale(double weight) {
 
 double RegressionMoments::fit(InverseDepthPlane& plane) const {
   if (!(one > 0.0)) return -1.0;
-  const double x_mean = x / one, y_mean = y / one, w_mean = w / one;
+  const double share = 1.0 / one;
+  const double x_mean = x * share, y_mean = y * share, w_mean = w * share;
   const double cxx = xx - x * x_mean, cxy = xy - x * y_mean, cyy = yy - y * y_mean;
   const double cxw = xw - x * w_mean, cyw = yw - y * w_mean, cww = ww - w * w_mean;
   const double determinant = cxx * cyy - cxy * cxy;
   if (!(determinant > 1e-9 * cxx * cyy)) return -1.0;
-  plane.a = (cyy * cxw - cxy * cyw) / determinant;
-  plane.b = (cxx * cyw - cxy * cxw) / determinant;
+  const double inverse = 1.0 / determinant;
+  plane.a = (cyy * cxw - cxy * cyw) * inverse;
+  plane.b = (cxx * cyw - cxy * cxw) * inverse;
   plane.c = w_mean - plane.a * x_mean - plane.b * y_mean;
   return std::max(0.0, cww - plane.a * cxw - plane.b * cyw);
 }

@@ -12,7 +12,25 @@ void LabelRuns::clear() {
   row_begin.assign(1, 0);
 }
 
-void LabelRuns::addRow(const std::uint16_t* labels, int width) {
+// Joins A x A to A where x is short: noise, which would otherwise make most of the runs.
+void LabelRuns::joinOverSpeckles(std::size_t begin, int max_speckle) {
+  std::size_t kept = begin;
+  for (std::size_t i = begin; i < runs.size(); ++i) {
+    runs[kept++] = runs[i];
+    if (kept < begin + 3) continue;
+    LabelRun& before = runs[kept - 3];
+    const LabelRun &speckle = runs[kept - 2], &after = runs[kept - 1];
+    if (before.label != after.label || before.label == kNoDepthLabel || speckle.label == kNoDepthLabel ||
+        speckle.pixels() > max_speckle) {
+      continue;
+    }
+    before.last = after.last;
+    kept -= 2;
+  }
+  runs.resize(kept);
+}
+
+void LabelRuns::addRow(const std::uint16_t* labels, int width, int max_speckle) {
   const int row = static_cast<int>(row_begin.size()) - 1;
   const std::size_t words = (static_cast<std::size_t>(width) + 7) / 8;
   if (changes_.size() != words) changes_.assign(words, 0);
@@ -29,14 +47,32 @@ void LabelRuns::addRow(const std::uint16_t* labels, int width) {
     }
   }
   runs.push_back({row, first, width, labels[first]});
+  if (max_speckle > 0) joinOverSpeckles(row_begin.back(), max_speckle);
   row_begin.push_back(runs.size());
 }
 
 void LabelRuns::scan(const std::vector<std::uint16_t>& labels, int width, int height) {
   clear();
   for (int v = 0; v < height; ++v) {
-    addRow(labels.data() + static_cast<std::size_t>(v) * static_cast<std::size_t>(width), width);
+    addRow(labels.data() + static_cast<std::size_t>(v) * static_cast<std::size_t>(width), width, 0);
   }
+}
+
+void LabelRuns::join() {
+  std::size_t kept = 0;
+  for (std::size_t row = 0; row + 1 < row_begin.size(); ++row) {
+    const std::size_t begin = row_begin[row], end = row_begin[row + 1];
+    row_begin[row] = kept;
+    for (std::size_t i = begin; i < end; ++i) {
+      if (i > begin && runs[kept - 1].label == runs[i].label) {
+        runs[kept - 1].last = runs[i].last;
+      } else {
+        runs[kept++] = runs[i];
+      }
+    }
+  }
+  runs.resize(kept);
+  if (!row_begin.empty()) row_begin.back() = kept;
 }
 
 void LabelRuns::write(std::vector<std::uint16_t>& labels, int width) const {

@@ -11,7 +11,7 @@ namespace line_plane_segmentation {
 namespace {
 
 constexpr std::size_t kMaxClusters = 65534;       // labels are 16 bit, and 65535 is kept free: "do not judge"
-constexpr std::size_t kMaxCoplanarClusters = 200;  // every pair of these is tried, so that the time stays bounded
+constexpr std::size_t kMaxCoplanarClusters = 100;  // every pair of these is tried, so that the time stays bounded
 
 }  // namespace
 

@@ -6,6 +6,11 @@
 #include "row_kernels.h"
 
 namespace line_plane_segmentation {
+namespace {
+
+constexpr int kMaxSpeckle = 3;  // [px]
+
+}  // namespace
 
 // A patch speaks for its own tile of the grid and for the eight around it.
 void PixelAssigner::findSpans(const PatchGrid& grid, int row, int width, const std::vector<int>& cluster_of) {
@@ -61,7 +66,7 @@ void PixelAssigner::assign(const DepthImage& depth, const ViewRays& rays, const 
                      rays.x.data() + span.first, span.last - span.first, row, best_.data() + span.first,
                      label_.data() + span.first);
     }
-    image.addRow(label_.data(), depth.width);
+    image.addRow(label_.data(), depth.width, kMaxSpeckle);
   }
 }
 

@@ -108,7 +108,9 @@ int RegionCleaner::clean(const CleanupParameters& parameters, int min_plane_inli
       image.runs[i].label = mostTouched(piece);
     }
   }
-  return renumber(min_plane_inliers, label_count, image);
+  const int plane_count = renumber(min_plane_inliers, label_count, image);
+  image.join();
+  return plane_count;
 }
 
 }  // namespace line_plane_segmentation
