@@ -82,7 +82,7 @@ class GrazingModel {
     const double d = distances_[label];
     if (d * d >= start_ * start_ * squared_reach) return 0.0;
     const double cosine = d / std::sqrt(squared_reach);  // of the angle between ray and normal
-    return std::min(1.0, (start_ - cosine) / (start_ - end_));
+    return std::clamp((start_ - cosine) / (start_ - end_), 0.0, 1.0);
   }
 
  private:

@@ -6,10 +6,8 @@
 namespace line_plane_segmentation::simulation {
 namespace {
 
-constexpr int kMaxSide = 4096;  // [px]
-
 SimulatedCamera::Options checked(const SimulatedCamera::Options& options) {
-  const auto legal = [](int side) { return side >= 1 && side <= kMaxSide; };
+  const auto legal = [](int side) { return side >= 1 && side <= kMaxImageSide; };
   if (!legal(options.width) || !legal(options.height)) {
     throw std::invalid_argument("the image's sides have 1 to 4096 pixels");
   }

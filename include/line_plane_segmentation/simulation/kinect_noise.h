@@ -29,7 +29,8 @@ struct KinectNoiseParameters {
   double edge_jump = 0.0115;
   double edge_dropout = 0.4;  ///< [-] share of the pixels at depth edges that are missing
 
-  /// [rad] angle of the ray to the plane's normal where pixels start to go missing, and where all are.
+  /// [rad] angle of the ray to the plane's normal where pixels start to go missing, and where all are; a
+  /// start over pi / 2 switches it off.
   double grazing_start = 1.36;
   double grazing_end = 1.50;
 };
