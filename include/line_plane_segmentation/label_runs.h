@@ -27,8 +27,12 @@ struct LabelRuns {
   void clear();
 
   /// Adds a row of `width` labels, at least one.
-  /// @param max_speckle  [px] so many pixels between two of one label take that label; those without depth do not
-  void addRow(const std::uint16_t* labels, int width, int max_speckle);
+  void addRow(const std::uint16_t* labels, int width);
+
+  /// Joins A x A to A in the last row where x has a depth, is at most `max_pixels` wide, and `isLike(before, x, after)`
+  /// holds: noise, which would otherwise make most of the runs.
+  template <typename Predicate>
+  void joinOverSpeckles(int max_pixels, Predicate&& isLike);
 
   /// All rows of a label image at once.
   void scan(const std::vector<std::uint16_t>& labels, int width, int height);
@@ -40,10 +44,28 @@ struct LabelRuns {
   void write(std::vector<std::uint16_t>& labels, int width) const;
 
  private:
-  void joinOverSpeckles(std::size_t begin, int max_speckle);
-
   std::vector<std::uint64_t> changes_;  // of a row: a byte for each pixel, not 0 where another label begins
 };
+
+template <typename Predicate>
+void LabelRuns::joinOverSpeckles(int max_pixels, Predicate&& isLike) {
+  const std::size_t begin = row_begin[row_begin.size() - 2];
+  std::size_t kept = begin;
+  for (std::size_t i = begin; i < runs.size(); ++i) {
+    runs[kept++] = runs[i];
+    if (kept < begin + 3) continue;
+    LabelRun& before = runs[kept - 3];
+    const LabelRun &speckle = runs[kept - 2], &after = runs[kept - 1];
+    if (before.label != after.label || before.label == kNoDepthLabel || speckle.label == kNoDepthLabel ||
+        speckle.pixels() > max_pixels || !isLike(before, speckle, after)) {
+      continue;
+    }
+    before.last = after.last;
+    kept -= 2;
+  }
+  runs.resize(kept);
+  row_begin.back() = kept;
+}
 
 /// Calls `visit(a, b, pixels)` for each two runs that lie above each other in `pixels` columns, a above b.
 template <typename Visitor>

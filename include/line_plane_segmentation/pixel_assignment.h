@@ -27,6 +27,8 @@ class PixelAssigner {
 
   void findSpans(const PatchGrid& grid, int row, int width, const std::vector<int>& cluster_of);
 
+  bool isLikeNeighbors(const LabelRun& before, const LabelRun& speckle, const LabelRun& after) const;
+
   std::vector<Span> spans_;
   std::vector<int> open_span_;  // of each cluster, in the row of the grid being looked at; -1 if none
   // One row of the image.

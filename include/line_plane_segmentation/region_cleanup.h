@@ -4,19 +4,22 @@
 #include <cstdint>
 #include <vector>
 
+#include "line_plane_segmentation/depth_image.h"
 #include "line_plane_segmentation/label_runs.h"
 #include "line_plane_segmentation/parameters.h"
+#include "line_plane_segmentation/patch_clustering.h"
 
 namespace line_plane_segmentation {
 
 /// Refinement: tidies a label image. A connected piece of fewer than min_region_pixels, of a plane or of none, becomes
-/// part of what most of its border touches, so that noise leaves no speckles and no pinholes; then planes that are too
-/// small go, and the rest are numbered from 1, the largest first.
+/// part of what most of its border touches, so that noise leaves no speckles and no pinholes, unless it lies off that
+/// plane; then planes that are too small go, and the rest are numbered from 1, the largest first.
 class RegionCleaner {
  public:
-  /// @param label_count  the labels are 0 to label_count and kNoDepthLabel
+  /// @param image  its labels are k + 1 for cluster k, 0 for no plane, and kNoDepthLabel
   /// @return the number of planes left
-  int clean(const CleanupParameters& parameters, int min_plane_inliers, int label_count, LabelRuns& image);
+  int clean(const DepthImage& depth, const ViewRays& rays, const std::vector<PatchCluster>& clusters,
+            const Parameters& parameters, LabelRuns& image);
 
  private:
   /// A border that a small piece shares with large ones of one label.
@@ -31,13 +34,16 @@ class RegionCleaner {
   void touch(int piece, std::uint16_t label, int length);
   void findContacts(const LabelRuns& image, int min_pixels);
   std::uint16_t mostTouched(int piece) const;
+  void chooseLabels(const DepthImage& depth, const ViewRays& rays, const std::vector<PatchCluster>& clusters,
+                    const Parameters& parameters, const LabelRuns& image);
   int renumber(int min_plane_inliers, int label_count, LabelRuns& image);
 
   std::vector<int> parent_;         // of each run
   std::vector<int> pixels_;         // of the piece, at its root
   std::vector<int> first_contact_;  // of the piece, at its root
   std::vector<Contact> contacts_;
-  std::vector<std::uint16_t> new_label_;
+  std::vector<std::uint16_t> new_label_;  // of the piece, at its root; then of each label
+  std::vector<double> error_;             // of the piece off the plane around it, at its root
   std::vector<int> label_pixels_, order_;
 };
 

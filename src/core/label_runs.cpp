@@ -12,25 +12,7 @@ void LabelRuns::clear() {
   row_begin.assign(1, 0);
 }
 
-// Joins A x A to A where x is short: noise, which would otherwise make most of the runs.
-void LabelRuns::joinOverSpeckles(std::size_t begin, int max_speckle) {
-  std::size_t kept = begin;
-  for (std::size_t i = begin; i < runs.size(); ++i) {
-    runs[kept++] = runs[i];
-    if (kept < begin + 3) continue;
-    LabelRun& before = runs[kept - 3];
-    const LabelRun &speckle = runs[kept - 2], &after = runs[kept - 1];
-    if (before.label != after.label || before.label == kNoDepthLabel || speckle.label == kNoDepthLabel ||
-        speckle.pixels() > max_speckle) {
-      continue;
-    }
-    before.last = after.last;
-    kept -= 2;
-  }
-  runs.resize(kept);
-}
-
-void LabelRuns::addRow(const std::uint16_t* labels, int width, int max_speckle) {
+void LabelRuns::addRow(const std::uint16_t* labels, int width) {
   const int row = static_cast<int>(row_begin.size()) - 1;
   const std::size_t words = (static_cast<std::size_t>(width) + 7) / 8;
   if (changes_.size() != words) changes_.assign(words, 0);
@@ -47,14 +29,13 @@ void LabelRuns::addRow(const std::uint16_t* labels, int width, int max_speckle) 
     }
   }
   runs.push_back({row, first, width, labels[first]});
-  if (max_speckle > 0) joinOverSpeckles(row_begin.back(), max_speckle);
   row_begin.push_back(runs.size());
 }
 
 void LabelRuns::scan(const std::vector<std::uint16_t>& labels, int width, int height) {
   clear();
   for (int v = 0; v < height; ++v) {
-    addRow(labels.data() + static_cast<std::size_t>(v) * static_cast<std::size_t>(width), width, 0);
+    addRow(labels.data() + static_cast<std::size_t>(v) * static_cast<std::size_t>(width), width);
   }
 }
 

@@ -2,13 +2,15 @@
 #include "line_plane_segmentation/pixel_assignment.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "row_kernels.h"
 
 namespace line_plane_segmentation {
 namespace {
 
-constexpr int kMaxSpeckle = 3;  // [px]
+constexpr int kMaxSpeckle = 3;            // [px]
+constexpr float kMaxSpeckleError = 2.0F;  // [-] in tolerances
 
 }  // namespace
 
@@ -32,6 +34,16 @@ void PixelAssigner::findSpans(const PatchGrid& grid, int row, int width, const s
     }
   }
   for (const Span& span : spans_) open_span_[static_cast<std::size_t>(span.cluster)] = -1;
+}
+
+// Whether a few pixels lie at the depth of those to their left and right.
+bool PixelAssigner::isLikeNeighbors(const LabelRun& before, const LabelRun& speckle, const LabelRun& after) const {
+  const float expected = 0.5F * (inverse_depth_[static_cast<std::size_t>(before.last - 1)] +
+                                 inverse_depth_[static_cast<std::size_t>(after.first)]);
+  for (std::size_t u = static_cast<std::size_t>(speckle.first); u < static_cast<std::size_t>(speckle.last); ++u) {
+    if (std::fabs(inverse_depth_[u] - expected) * inverse_tolerance_[u] > kMaxSpeckleError) return false;
+  }
+  return true;
 }
 
 void PixelAssigner::assign(const DepthImage& depth, const ViewRays& rays, const PatchGrid& grid,
@@ -66,7 +78,10 @@ void PixelAssigner::assign(const DepthImage& depth, const ViewRays& rays, const 
                      rays.x.data() + span.first, span.last - span.first, row, best_.data() + span.first,
                      label_.data() + span.first);
     }
-    image.addRow(label_.data(), depth.width, kMaxSpeckle);
+    image.addRow(label_.data(), depth.width);
+    image.joinOverSpeckles(kMaxSpeckle, [this](const LabelRun& before, const LabelRun& speckle, const LabelRun& after) {
+      return isLikeNeighbors(before, speckle, after);
+    });
   }
 }
 

@@ -99,8 +99,7 @@ int PlaneSegmenter::Stages::runAdaptive(StageObserver& observer) {
   observer.stageFinished(Stage::kCandidates);
   assigner.assign(depth, rays, patch_grid, clusters, cluster_of, resolved, runs);
   observer.stageFinished(Stage::kExtraction);
-  return cleaner.clean(resolved.cleanup, resolved.extraction.min_plane_inliers, static_cast<int>(clusters.size()),
-                       runs);
+  return cleaner.clean(depth, rays, clusters, resolved, runs);
 }
 
 void PlaneSegmenter::Stages::describe() {

@@ -2,8 +2,14 @@
 #include "line_plane_segmentation/region_cleanup.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace line_plane_segmentation {
+namespace {
+
+constexpr double kMaxMeanError = 2.0;  // [-] in tolerances; a piece farther from the plane around it is not of it
+
+}  // namespace
 
 int RegionCleaner::find(int run) {
   while (parent_[static_cast<std::size_t>(run)] != run) {
@@ -97,18 +103,46 @@ int RegionCleaner::renumber(int min_plane_inliers, int label_count, LabelRuns& i
   return static_cast<int>(order_.size());
 }
 
-int RegionCleaner::clean(const CleanupParameters& parameters, int min_plane_inliers, int label_count,
-                         LabelRuns& image) {
-  const int min_pixels = parameters.min_region_pixels;
-  connect(image);
-  findContacts(image, min_pixels);
+// Each small piece's new label: what most of its border touches, if its pixels lie near that plane.
+void RegionCleaner::chooseLabels(const DepthImage& depth, const ViewRays& rays,
+                                 const std::vector<PatchCluster>& clusters, const Parameters& parameters,
+                                 const LabelRuns& image) {
+  const DepthTolerance tolerance{parameters.noise, parameters.extraction.distance_noise_factor,
+                                 parameters.extraction.plane_distance};
+  const int min_pixels = parameters.cleanup.min_region_pixels;
+  new_label_.assign(image.runs.size(), 0);
+  error_.assign(image.runs.size(), 0.0);
   for (std::size_t i = 0; i < image.runs.size(); ++i) {
-    const int piece = parent_[i];
-    if (image.runs[i].label != kNoDepthLabel && pixels_[static_cast<std::size_t>(piece)] < min_pixels) {
-      image.runs[i].label = mostTouched(piece);
+    const LabelRun& run = image.runs[i];
+    const std::size_t piece = static_cast<std::size_t>(parent_[i]);
+    if (run.label == kNoDepthLabel || pixels_[piece] >= min_pixels) continue;
+    if (piece == i) new_label_[piece] = mostTouched(parent_[i]);  // its first run
+    if (new_label_[piece] == 0) continue;
+    const InverseDepthPlane& plane = clusters[new_label_[piece] - 1U].plane;
+    const double inverse_distance = plane.inverseDistance(), y = rays.y[static_cast<std::size_t>(run.row)];
+    const float* z = depth.row(run.row);
+    for (int u = run.first; u < run.last; ++u) {
+      const double w = 1.0 / static_cast<double>(z[u]);
+      const double expected = plane.at(rays.x[static_cast<std::size_t>(u)], y);
+      error_[piece] += std::fabs(w - expected) / tolerance.at(w, inverse_distance);
     }
   }
-  const int plane_count = renumber(min_plane_inliers, label_count, image);
+  for (std::size_t piece = 0; piece < image.runs.size(); ++piece) {
+    if (error_[piece] > kMaxMeanError * pixels_[piece]) new_label_[piece] = 0;
+  }
+}
+
+int RegionCleaner::clean(const DepthImage& depth, const ViewRays& rays, const std::vector<PatchCluster>& clusters,
+                         const Parameters& parameters, LabelRuns& image) {
+  const int min_pixels = parameters.cleanup.min_region_pixels;
+  connect(image);
+  findContacts(image, min_pixels);
+  chooseLabels(depth, rays, clusters, parameters, image);
+  for (std::size_t i = 0; i < image.runs.size(); ++i) {
+    const std::size_t piece = static_cast<std::size_t>(parent_[i]);
+    if (image.runs[i].label != kNoDepthLabel && pixels_[piece] < min_pixels) image.runs[i].label = new_label_[piece];
+  }
+  const int plane_count = renumber(parameters.extraction.min_plane_inliers, static_cast<int>(clusters.size()), image);
   image.join();
   return plane_count;
 }
