@@ -7,6 +7,11 @@
 #include <vector>
 
 namespace line_plane_segmentation {
+namespace {
+
+bool startsWithSlash(const std::string& frame_id) { return !frame_id.empty() && frame_id.front() == '/'; }
+
+}  // namespace
 
 bool InputAdvice::isDue(TimePoint& last) {
   constexpr std::chrono::seconds kPause(5);
@@ -39,23 +44,24 @@ void InputAdvice::accepted(const CameraFrame& frame, const Validation& input) {
   }
   const std::string& image_frame = frame.image->header.frame_id;
   if (image_frame.empty()) once(told_no_frame_, "the images have no frame_id: rviz and tf cannot place them");
-  if (!image_frame.empty() && image_frame.front() == '/') {
+  if (startsWithSlash(image_frame)) {
     once(told_slash_,
          "the images' frame_id '" + image_frame + "' starts with a slash, which tf2 refuses: it is cut off");
   }
-  if (frame.info->header.frame_id != image_frame) {
-    once(told_other_frame_, "camera_info is in frame '" + frame.info->header.frame_id + "', the images in '" +
-                                image_frame + "', which is used");
+  const std::string& info_frame = frame.info->header.frame_id;
+  if (info_frame != image_frame) {
+    once(told_other_frame_, "camera_info has frame_id '" + info_frame + "', the images have '" + image_frame +
+                                "': that of the images counts");
   }
 }
 
 void InputAdvice::segmented(const Validation& input, const DepthRange& range,
                             const Segmentation& segmentation) {
   if (told_beyond_range_ || 2 * std::size_t{segmentation.valid_pixels} >= segmentation.labels.size()) return;
-  if (shareBeyondRange(input.view, range) > 0.5) {
-    once(told_beyond_range_,
-         "most depths lie beyond max_range: is a 32FC1 image in millimetres, not metres?");
-  }
+  if (shareBeyondRange(input.view, range) <= 0.5) return;
+  const bool metres = input.view.type == DepthType::kFloat32;
+  once(told_beyond_range_, std::string("most depths lie beyond max_range: ") +
+                               (metres ? "does the 32FC1 image hold millimetres?" : "should it be larger?"));
 }
 
 double shareBeyondRange(const DepthView& depth, const DepthRange& range) {

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// No camera subscription without a subscriber of any output.
+#include <gtest/gtest.h>
+#include <line_plane_segmentation/PlaneArray.h>
+#include <sensor_msgs/PointCloud2.h>
+#include <topic_tools/shape_shifter.h>
+#include <visualization_msgs/MarkerArray.h>
+
+#include <string>
+#include <vector>
+
+#include "test_camera.h"
+
+namespace line_plane_segmentation {
+namespace {
+
+using Anything = Inbox<topic_tools::ShapeShifter>;
+
+const std::vector<std::string>& outputs() {
+  static const std::vector<std::string> kOutputs = {"planes", "labels", "cloud", "overlay", "markers"};
+  return kOutputs;
+}
+
+class Lazy : public testing::Test {
+ protected:
+  bool waitForIdle() {
+    return waitUntil([this] { return camera_.imageSubscribers() == 0 && camera_.infoSubscribers() == 0; });
+  }
+
+  TestCamera camera_;
+};
+
+TEST_F(Lazy, staysIdleByItself) {
+  ASSERT_TRUE(waitUntil([] { return ros::service::exists("plane_segmenter/set_parameters", false); }));
+  spinFor(1.0);
+  EXPECT_EQ(0U, camera_.imageSubscribers());
+  EXPECT_EQ(0U, camera_.infoSubscribers());
+}
+
+TEST_F(Lazy, subscribesForEachOutputAlone) {
+  for (const std::string& output : outputs()) {
+    {
+      Anything inbox("plane_segmenter/" + output);
+      EXPECT_TRUE(camera_.waitForSubscriber()) << output;
+    }
+    EXPECT_TRUE(waitForIdle()) << output;
+  }
+}
+
+TEST_F(Lazy, subscribesOnceForAllOutputsAndUntilTheLastLeaves) {
+  {
+    Anything planes("plane_segmenter/planes");
+    {
+      Anything labels("plane_segmenter/labels");
+      Anything cloud("plane_segmenter/cloud");
+      ASSERT_TRUE(camera_.waitForSubscriber());
+    }
+    spinFor(1.0);
+    EXPECT_EQ(1U, camera_.imageSubscribers());
+    EXPECT_EQ(1U, camera_.infoSubscribers());
+  }
+  EXPECT_TRUE(waitForIdle());
+}
+
+TEST_F(Lazy, comesToRestAfterMuchComingAndGoing) {
+  for (int round = 0; round < 30; ++round) {
+    Anything planes("plane_segmenter/planes");
+    spinFor(0.005 * (round % 4));
+  }
+  EXPECT_TRUE(waitForIdle());
+  Anything planes("plane_segmenter/planes");
+  EXPECT_TRUE(camera_.waitForSubscriber());
+}
+
+}  // namespace
+}  // namespace line_plane_segmentation
+
+int main(int argc, char** argv) {
+  testing::InitGoogleTest(&argc, argv);
+  ros::init(argc, argv, "lazy_rostest");
+  const ros::NodeHandle keeps_ros_running;
+  return RUN_ALL_TESTS();
+}

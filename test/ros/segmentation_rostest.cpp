@@ -1,0 +1,253 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Images go in, every message comes out as promised; bad images are refused and good ones after them
+// answered.
+#include <diagnostic_msgs/DiagnosticArray.h>
+#include <dynamic_reconfigure/Reconfigure.h>
+#include <gtest/gtest.h>
+#include <line_plane_segmentation/PlaneArray.h>
+#include <sensor_msgs/PointCloud2.h>
+#include <visualization_msgs/MarkerArray.h>
+
+#include <functional>
+#include <limits>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "test_camera.h"
+
+namespace line_plane_segmentation {
+namespace {
+
+constexpr std::uint32_t kWidth = 640;
+constexpr std::uint32_t kHeight = 480;
+
+// A floor, tilted to the side, as a camera that looks down sees it.
+const Eigen::Vector3d kNormal = Eigen::Vector3d(0.2, -0.4, -1.0).normalized();
+constexpr double kDistance = 1.4;
+
+class SegmentationTest : public testing::Test {
+ protected:
+  SegmentationTest() { EXPECT_TRUE(camera_.waitForSubscriber()); }
+
+  // Every frame of the tests has its own stamp.
+  static ros::Time nextStamp() {
+    static double seconds = 1000.0;
+    return ros::Time(seconds += 0.1);
+  }
+
+  void publishGood(const ros::Time& stamp) { camera_.publish(good_, info_, stamp); }
+
+  void expectAnswer(const ros::Time& stamp) {
+    EXPECT_TRUE(planes_.waitFor(stamp)) << "no planes at " << stamp;
+  }
+
+  // Checks the newest answer.
+  void expectThePlane() const {
+    ASSERT_TRUE(planes_.newest());
+    ASSERT_EQ(1U, planes_.newest()->planes.size());
+    const auto& coef = planes_.newest()->planes[0].coefficients.coef;
+    EXPECT_GT(Eigen::Vector3d(coef[0], coef[1], coef[2]).dot(kNormal), std::cos(0.5 * M_PI / 180.0));
+    EXPECT_NEAR(kDistance, coef[3], 0.005);
+    EXPECT_GE(planes_.newest()->planes[0].inliers, kWidth * kHeight * 9 / 10);
+    EXPECT_GE(planes_.newest()->planes[0].outline.points.size(), 3U);
+  }
+
+  TestCamera camera_;
+  Inbox<PlaneArray> planes_{"plane_segmenter/planes"};
+  sensor_msgs::Image good_ = imageOfPlane(kWidth, kHeight, "16UC1", kNormal, kDistance);
+  sensor_msgs::CameraInfo info_ = testInfo(kWidth, kHeight);
+};
+
+TEST_F(SegmentationTest, findsThePlaneInEachEncoding) {
+  for (const char* encoding : {"16UC1", "mono16", "32FC1"}) {
+    SCOPED_TRACE(encoding);
+    const ros::Time stamp = nextStamp();
+    camera_.publish(imageOfPlane(kWidth, kHeight, encoding, kNormal, kDistance), info_, stamp);
+    expectAnswer(stamp);
+    EXPECT_EQ(kCameraFrame, planes_.newest()->header.frame_id);
+    EXPECT_EQ(kWidth, planes_.newest()->image_width);
+    EXPECT_EQ(kHeight, planes_.newest()->image_height);
+    EXPECT_GT(planes_.newest()->processing_time, 0.0F);
+    expectThePlane();
+  }
+}
+
+TEST_F(SegmentationTest, answersOnEveryTopic) {
+  const Inbox<sensor_msgs::Image> labels("plane_segmenter/labels");
+  const Inbox<sensor_msgs::Image> overlay("plane_segmenter/overlay");
+  const Inbox<sensor_msgs::PointCloud2> cloud("plane_segmenter/cloud");
+  boost::shared_ptr<const visualization_msgs::MarkerArray> markers;
+  ros::NodeHandle nh;
+  const ros::Subscriber subscriber = nh.subscribe<visualization_msgs::MarkerArray>(
+      "plane_segmenter/markers", 10,
+      [&](const visualization_msgs::MarkerArray::ConstPtr& message) { markers = message; });
+  // Subscribers of the other outputs leave no trace at the camera: publish until all are there.
+  ros::Time stamp;
+  ASSERT_TRUE(waitUntil([&] {
+    stamp = nextStamp();
+    publishGood(stamp);
+    spinFor(0.1);
+    return labels.newest() && overlay.newest() && cloud.newest() && markers;
+  }));
+  stamp = nextStamp();
+  publishGood(stamp);
+  expectAnswer(stamp);
+  ASSERT_TRUE(labels.waitFor(stamp));
+  ASSERT_TRUE(overlay.waitFor(stamp));
+  ASSERT_TRUE(cloud.waitFor(stamp));
+  ASSERT_TRUE(waitUntil([&] { return markers->markers.front().header.stamp == stamp; }));
+
+  EXPECT_EQ(kCameraFrame, labels.newest()->header.frame_id);
+  EXPECT_EQ("16UC1", labels.newest()->encoding);
+  EXPECT_EQ(std::size_t{2} * kWidth * kHeight, labels.newest()->data.size());
+  EXPECT_EQ(kCameraFrame, overlay.newest()->header.frame_id);
+  EXPECT_EQ("rgb8", overlay.newest()->encoding);
+  EXPECT_EQ(std::size_t{3} * kWidth * kHeight, overlay.newest()->data.size());
+  EXPECT_EQ(kCameraFrame, cloud.newest()->header.frame_id);
+  EXPECT_EQ(kWidth, cloud.newest()->width);
+  EXPECT_EQ(kHeight, cloud.newest()->height);
+  EXPECT_EQ(kCameraFrame, markers->markers.front().header.frame_id);
+  EXPECT_EQ(4U, markers->markers.size());
+
+  std::size_t labelled = 0;
+  for (std::size_t i = 0; i < labels.newest()->data.size(); i += 2) {
+    labelled += labels.newest()->data[i] == planes_.newest()->planes.at(0).label ? 1 : 0;
+  }
+  EXPECT_EQ(planes_.newest()->planes.at(0).inliers, labelled);
+}
+
+TEST_F(SegmentationTest, noDepthIsAnswered) {
+  const ros::Time stamp = nextStamp();
+  camera_.publish(testImage(kWidth, kHeight, "16UC1"), info_, stamp);
+  expectAnswer(stamp);
+  EXPECT_TRUE(planes_.newest()->planes.empty());
+  EXPECT_EQ(0U, planes_.newest()->valid_pixels);
+}
+
+TEST_F(SegmentationTest, takesImagesOfChangingSize) {
+  for (const std::uint32_t width : {320U, 640U, 160U}) {
+    const ros::Time stamp = nextStamp();
+    const std::uint32_t height = width * 3 / 4;
+    camera_.publish(imageOfPlane(width, height, "16UC1", kNormal, kDistance), testInfo(width, height), stamp);
+    expectAnswer(stamp);
+    EXPECT_EQ(width, planes_.newest()->image_width);
+    EXPECT_EQ(1U, planes_.newest()->planes.size()) << width;
+  }
+}
+
+// Each of these is refused and counted, and the next good frame is answered.
+TEST_F(SegmentationTest, refusesBadFramesAndGoesOn) {
+  const std::vector<
+      std::pair<std::string, std::function<void(sensor_msgs::Image&, sensor_msgs::CameraInfo&)>>>
+      bad = {
+          {"empty_image", [](sensor_msgs::Image& i, sensor_msgs::CameraInfo&) { i.width = 0; }},
+          {"short_data", [](sensor_msgs::Image& i, sensor_msgs::CameraInfo&) { i.data.clear(); }},
+          {"bad_step", [](sensor_msgs::Image& i, sensor_msgs::CameraInfo&) { i.step = 7; }},
+          {"too_large", [](sensor_msgs::Image& i, sensor_msgs::CameraInfo&) { i.height = 0xFFFFFFFFU; }},
+          {"encoding", [](sensor_msgs::Image& i, sensor_msgs::CameraInfo&) { i.encoding = "rgb8"; }},
+          {"info_mismatch", [](sensor_msgs::Image&, sensor_msgs::CameraInfo& c) { c.width = 320; }},
+          {"no_intrinsics",
+           [](sensor_msgs::Image&, sensor_msgs::CameraInfo& c) {
+             c.K.fill(0.0);
+             c.P.fill(0.0);
+           }},
+      };
+  for (const auto& [reason, spoil] : bad) {
+    SCOPED_TRACE(reason);
+    sensor_msgs::Image image = good_;
+    sensor_msgs::CameraInfo info = info_;
+    spoil(image, info);
+    const int answers = planes_.count();
+    camera_.publish(image, info, nextStamp());
+    const ros::Time stamp = nextStamp();
+    publishGood(stamp);
+    expectAnswer(stamp);
+    EXPECT_EQ(answers + 1, planes_.count());
+    expectThePlane();
+  }
+
+  const Inbox<diagnostic_msgs::DiagnosticArray> diagnostics("/diagnostics");
+  for (const auto& [reason, spoil] : bad) {
+    const std::string key = "frames refused: " + reason;
+    EXPECT_TRUE(waitUntil([&] {
+      if (!diagnostics.newest()) return false;
+      for (const auto& status : diagnostics.newest()->status) {
+        for (const auto& value : status.values) {
+          if (status.name == "plane_segmenter: plane segmentation" && value.key == key)
+            return value.value == "1";
+        }
+      }
+      return false;
+    })) << key;
+  }
+}
+
+TEST_F(SegmentationTest, fallsBackToKAndCutsTheSlashOff) {
+  info_.P.fill(0.0);
+  good_.header.frame_id = std::string("/") + kCameraFrame;
+  const ros::Time stamp = nextStamp();
+  publishGood(stamp);
+  expectAnswer(stamp);
+  EXPECT_EQ(kCameraFrame, planes_.newest()->header.frame_id);
+  expectThePlane();
+}
+
+// A bag that loops, a camera without a clock.
+TEST_F(SegmentationTest, anyStampWillDo) {
+  for (const double seconds : {9000.0, 9000.1, 9000.2, 1.0, 1.1, 1.2, 0.0, 4294967295.0, 2.0}) {
+    const ros::Time stamp(seconds);
+    const int answers = planes_.count();
+    publishGood(stamp);
+    expectAnswer(stamp);
+    EXPECT_EQ(answers + 1, planes_.count());
+  }
+}
+
+TEST_F(SegmentationTest, answersEveryFrameOfACamera) {
+  const int answers = planes_.count();
+  for (int i = 0; i < 60; ++i) {
+    publishGood(nextStamp());
+    spinFor(1.0 / 30.0);
+  }
+  EXPECT_TRUE(waitUntil([&] { return planes_.count() == answers + 60; })) << planes_.count() - answers;
+}
+
+TEST_F(SegmentationTest, isReconfiguredWhileItRuns) {
+  const auto set = [](double max_range) {
+    dynamic_reconfigure::Reconfigure call;
+    call.request.config.doubles.resize(2);
+    call.request.config.doubles[0].name = "max_range";
+    call.request.config.doubles[0].value = max_range;
+    call.request.config.doubles[1].name = "plane_distance";
+    call.request.config.doubles[1].value = std::numeric_limits<double>::quiet_NaN();
+    EXPECT_TRUE(ros::service::call("plane_segmenter/set_parameters", call));
+    for (const auto& value : call.response.config.doubles) {
+      EXPECT_FALSE(std::isnan(value.value)) << value.name;
+      if (value.name == "max_range") {
+        EXPECT_EQ(max_range, value.value);
+      }
+    }
+  };
+  set(0.8);
+  ros::Time stamp = nextStamp();
+  publishGood(stamp);
+  expectAnswer(stamp);
+  EXPECT_TRUE(planes_.newest()->planes.empty());
+
+  set(10.0);
+  stamp = nextStamp();
+  publishGood(stamp);
+  expectAnswer(stamp);
+  expectThePlane();
+}
+
+}  // namespace
+}  // namespace line_plane_segmentation
+
+int main(int argc, char** argv) {
+  testing::InitGoogleTest(&argc, argv);
+  ros::init(argc, argv, "segmentation_rostest");
+  const ros::NodeHandle keeps_ros_running;
+  return RUN_ALL_TESTS();
+}

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <ros/ros.h>
+#include <sensor_msgs/CameraInfo.h>
+#include <sensor_msgs/Image.h>
+
+#include <chrono>
+#include <string>
+
+#include "test_messages.h"
+
+namespace line_plane_segmentation {
+
+/// Lets callbacks run until `condition()` holds.
+/// @return whether it came to hold before the time [s] was up
+template <typename Condition>
+bool waitUntil(Condition condition, double seconds = 15.0) {
+  const auto end = std::chrono::steady_clock::now() + std::chrono::duration<double>(seconds);
+  while (ros::ok() && std::chrono::steady_clock::now() < end) {
+    ros::spinOnce();
+    if (condition()) return true;
+    ros::WallDuration(0.005).sleep();
+  }
+  return false;
+}
+
+/// Lets callbacks run for so long [s].
+inline void spinFor(double seconds) {
+  waitUntil([] { return false; }, seconds);
+}
+
+/// Publishes what a test makes of a depth camera's topics.
+class TestCamera {
+ public:
+  TestCamera()
+      : image_publisher_(nh_.advertise<sensor_msgs::Image>("depth/image_rect", 10)),
+        info_publisher_(nh_.advertise<sensor_msgs::CameraInfo>("depth/camera_info", 10)) {}
+
+  /// Publishes both under one stamp.
+  void publish(sensor_msgs::Image image, sensor_msgs::CameraInfo info, const ros::Time& stamp) {
+    image.header.stamp = info.header.stamp = stamp;
+    image_publisher_.publish(image);
+    info_publisher_.publish(info);
+  }
+
+  unsigned imageSubscribers() const { return image_publisher_.getNumSubscribers(); }
+  unsigned infoSubscribers() const { return info_publisher_.getNumSubscribers(); }
+
+  bool waitForSubscriber() const {
+    return waitUntil([this] { return imageSubscribers() == 1 && infoSubscribers() == 1; });
+  }
+
+ private:
+  ros::NodeHandle nh_;
+  ros::Publisher image_publisher_;
+  ros::Publisher info_publisher_;
+};
+
+/// The newest message of a topic, and how many came.
+template <typename Message>
+class Inbox {
+ public:
+  explicit Inbox(const std::string& topic) {
+    ros::NodeHandle nh;
+    subscriber_ = nh.subscribe<Message>(topic, 100, [this](const boost::shared_ptr<const Message>& message) {
+      newest_ = message;
+      ++count_;
+    });
+  }
+
+  const boost::shared_ptr<const Message>& newest() const { return newest_; }
+  int count() const { return count_; }
+
+  /// Waits for the answer to the image of this stamp.
+  bool waitFor(const ros::Time& stamp, double seconds = 15.0) const {
+    return waitUntil([&] { return newest_ && newest_->header.stamp == stamp; }, seconds);
+  }
+
+ private:
+  ros::Subscriber subscriber_;
+  boost::shared_ptr<const Message> newest_;
+  int count_ = 0;
+};
+
+}  // namespace line_plane_segmentation

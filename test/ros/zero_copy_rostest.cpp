@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Between nodelets of one manager neither the image nor the results are copied. This program is the manager,
+// the camera and the subscriber.
+#include <gtest/gtest.h>
+#include <line_plane_segmentation/PlaneArray.h>
+#include <nodelet/loader.h>
+#include <sensor_msgs/PointCloud2.h>
+
+#include <boost/make_shared.hpp>
+
+#include "test_camera.h"
+
+namespace line_plane_segmentation {
+namespace {
+
+constexpr std::uint32_t kWidth = 320;
+constexpr std::uint32_t kHeight = 240;
+
+class ZeroCopy : public testing::Test {
+ protected:
+  void SetUp() override {
+    ASSERT_TRUE(loader_.load("/plane_segmenter", "line_plane_segmentation/plane_segmenter", {}, {}));
+    ASSERT_TRUE(
+        waitUntil([this] { return images_.getNumSubscribers() == 1 && infos_.getNumSubscribers() == 1; }));
+  }
+
+  ros::NodeHandle nh_;
+  ros::Publisher images_ = nh_.advertise<sensor_msgs::Image>("depth/image_rect", 1);
+  ros::Publisher infos_ = nh_.advertise<sensor_msgs::CameraInfo>("depth/camera_info", 1);
+  nodelet::Loader loader_{false};
+  Inbox<PlaneArray> planes_{"plane_segmenter/planes"};
+  Inbox<sensor_msgs::Image> labels_{"plane_segmenter/labels"};
+  Inbox<sensor_msgs::Image> overlay_{"plane_segmenter/overlay"};
+  Inbox<sensor_msgs::PointCloud2> cloud_{"plane_segmenter/cloud"};
+};
+
+TEST_F(ZeroCopy, readsTheVeryImageAndPassesOnTheVeryResults) {
+  // Whatever is serialised on its way gets the publisher's own count in the place of this.
+  constexpr std::uint32_t kNeverCounted = 123456;
+  const ros::Time stamp(17.0);
+  const auto image = boost::make_shared<sensor_msgs::Image>(testImage(kWidth, kHeight, "16UC1"));
+  image->header.stamp = stamp;
+  image->header.seq = kNeverCounted;
+  images_.publish(sensor_msgs::ImageConstPtr(image));
+
+  // The image waits for its camera_info: this one, since somebody else holds it, and goes on holding it.
+  ASSERT_TRUE(waitUntil([&] { return image.use_count() == 2; }, 5.0));
+  spinFor(0.5);
+  ASSERT_EQ(2, image.use_count());
+
+  // No publisher should do this; here it shows whose bytes are read.
+  image->data = imageOfPlane(kWidth, kHeight, "16UC1", Eigen::Vector3d(0.0, 0.0, -1.0), 1.5).data;
+  const auto info = boost::make_shared<sensor_msgs::CameraInfo>(testInfo(kWidth, kHeight));
+  info->header.stamp = stamp;
+  infos_.publish(sensor_msgs::CameraInfoConstPtr(info));
+
+  ASSERT_TRUE(planes_.waitFor(stamp));
+  EXPECT_EQ(1U, planes_.newest()->planes.size());
+  ASSERT_TRUE(labels_.waitFor(stamp));
+  ASSERT_TRUE(overlay_.waitFor(stamp));
+  ASSERT_TRUE(cloud_.waitFor(stamp));
+  EXPECT_EQ(kNeverCounted, planes_.newest()->header.seq);
+  EXPECT_EQ(kNeverCounted, labels_.newest()->header.seq);
+  EXPECT_EQ(kNeverCounted, overlay_.newest()->header.seq);
+  EXPECT_EQ(kNeverCounted, cloud_.newest()->header.seq);
+  EXPECT_TRUE(waitUntil([&] { return image.use_count() == 1; })) << "the image is kept for ever";
+}
+
+}  // namespace
+}  // namespace line_plane_segmentation
+
+int main(int argc, char** argv) {
+  testing::InitGoogleTest(&argc, argv);
+  ros::init(argc, argv, "zero_copy_rostest");
+  const ros::NodeHandle keeps_ros_running;
+  return RUN_ALL_TESTS();
+}
