@@ -15,6 +15,7 @@ namespace {
 constexpr std::uint8_t kNoDepth = 24;
 constexpr float kNearGrey = 235.0F;
 constexpr float kFarGrey = 70.0F;
+constexpr double kFarOutside = 1e5;  // [px]
 
 // Twenty colours that are told apart easily, BGR.
 const cv::Vec3b& colorOf(std::uint16_t label) {
@@ -75,74 +76,85 @@ cv::Mat tint(const cv::Mat& grey, const std::vector<std::uint16_t>& labels) {
   return picture;
 }
 
-class Projector {
- public:
-  // Pixels in this many binary fractions, as OpenCV's drawing functions take them.
-  static constexpr int kShift = 4;
+// Where a point is seen [px]; one that cannot be seen ends up far outside the picture.
+cv::Point2d project(const CameraIntrinsics& camera, const Eigen::Vector3d& point) {
+  const double z = std::max(point.z(), 1e-9);
+  const auto clamped = [](double pixel) { return std::min(std::max(pixel, -kFarOutside), kFarOutside); };
+  return {clamped(camera.fx * point.x() / z + camera.cx), clamped(camera.fy * point.y() / z + camera.cy)};
+}
 
-  explicit Projector(const CameraIntrinsics& camera) : camera_(camera) {}
-
-  cv::Point operator()(const Eigen::Vector3d& point) const {
-    const double z = std::max(point.z(), 1e-9);
-    const double u = camera_.fx * point.x() / z + camera_.cx;
-    const double v = camera_.fy * point.y() / z + camera_.cy;
-    return {toFixed(u), toFixed(v)};
-  }
-
- private:
-  static int toFixed(double pixel) {
-    constexpr double kFarOutside = 1e5;
-    return cvRound((1 << kShift) * std::min(std::max(pixel, -kFarOutside), kFarOutside));
-  }
-
-  CameraIntrinsics camera_;
-};
-
-void drawOutline(const Segmentation& segmentation, const SegmentedPlane& plane, const Projector& project,
-                 int thickness, cv::Mat& picture) {
+void drawOutline(const Segmentation& segmentation, const SegmentedPlane& plane,
+                 const CameraIntrinsics& camera, int thickness, cv::Mat& picture) {
+  // OpenCV draws at fractions of a pixel when it gets integers with so many binary digits after the point.
+  constexpr int kFractionBits = 4;
   const cv::Vec3b& color = colorOf(plane.label);
   const cv::Scalar light = 0.5 * (cv::Scalar(color[0], color[1], color[2]) + cv::Scalar::all(255));
   for (int r = 0; r < plane.outer_ring_count + plane.hole_count; ++r) {
     const Ring& ring = segmentation.rings[static_cast<std::size_t>(plane.first_ring + r)];
     std::vector<cv::Point> points;
     for (int i = 0; i < ring.vertex_count; ++i) {
-      points.push_back(
-          project(segmentation.vertices[static_cast<std::size_t>(ring.first_vertex + i)].cast<double>()));
+      const auto& vertex = segmentation.vertices[static_cast<std::size_t>(ring.first_vertex + i)];
+      points.emplace_back((1 << kFractionBits) * project(camera, vertex.cast<double>()));
     }
-    cv::polylines(picture, points, true, light, thickness, cv::LINE_AA, Projector::kShift);
+    cv::polylines(picture, points, true, light, thickness, cv::LINE_AA, kFractionBits);
   }
 }
 
-void drawNormal(const SegmentedPlane& plane, const Projector& project, double scale, cv::Mat& picture) {
-  const cv::Point foot = project(plane.centroid);
-  const cv::Point tip = project(plane.centroid + 0.12 * plane.centroid.z() * plane.normal);
-  const int thickness = std::max(1, cvRound(scale));
-  const auto inPixels = [](const cv::Point& p) {
-    return cv::Point(p.x >> Projector::kShift, p.y >> Projector::kShift);
+// For each label the pixel nearest its plane's centroid, which itself may lie on another plane.
+std::vector<cv::Point> findAnchors(const Segmentation& segmentation, const CameraIntrinsics& camera) {
+  struct Nearest {
+    cv::Point2d centroid;
+    cv::Point pixel;
+    double distance = 1e300;
   };
-  for (const bool border : {true, false}) {
-    const cv::Scalar color = border ? cv::Scalar::all(0) : cv::Scalar::all(255);
-    const int width = border ? thickness + 2 : thickness;
-    cv::circle(picture, inPixels(foot), cvRound(2 * scale) + (border ? 1 : 0), color, cv::FILLED,
-               cv::LINE_AA);
-    cv::arrowedLine(picture, inPixels(foot), inPixels(tip), color, width, cv::LINE_AA, 0, 0.25);
-    cv::putText(picture, std::to_string(plane.label),
-                inPixels(foot) + cv::Point(cvRound(5 * scale), cvRound(14 * scale)), cv::FONT_HERSHEY_SIMPLEX,
-                0.45 * scale, color, width, cv::LINE_AA);
+  std::vector<Nearest> nearest;
+  for (const SegmentedPlane& plane : segmentation.planes) {
+    const cv::Point2d centroid = project(camera, plane.centroid);
+    nearest.push_back({centroid, centroid});
   }
+  for (std::size_t i = 0; i < segmentation.labels.size(); ++i) {
+    const std::uint16_t label = segmentation.labels[i];
+    if (label == 0 || label > nearest.size()) continue;
+    Nearest& best = nearest[label - 1U];
+    const cv::Point pixel(static_cast<int>(i) % segmentation.width, static_cast<int>(i) / segmentation.width);
+    const cv::Point2d offset = cv::Point2d(pixel) - best.centroid;
+    if (offset.dot(offset) < best.distance) best = {best.centroid, pixel, offset.dot(offset)};
+  }
+  std::vector<cv::Point> anchors;
+  for (const Nearest& best : nearest) anchors.push_back(best.pixel);
+  return anchors;
+}
+
+void drawNormal(const SegmentedPlane& plane, const cv::Point& foot, const CameraIntrinsics& camera,
+                double scale, cv::Mat& picture) {
+  const Eigen::Vector3d above = plane.centroid + 0.12 * plane.centroid.z() * plane.normal;
+  const cv::Point arrow = project(camera, above) - project(camera, plane.centroid);
+  const cv::Point text = foot + cv::Point(cvRound(5 * scale), cvRound(15 * scale));
+  const int thickness = std::max(1, cvRound(scale));
+  const auto draw = [&](const cv::Scalar& color, int border) {
+    cv::circle(picture, foot, cvRound(2 * scale) + border / 2, color, cv::FILLED, cv::LINE_AA);
+    cv::arrowedLine(picture, foot, foot + arrow, color, thickness + border, cv::LINE_AA, 0, 0.25);
+    cv::putText(picture, std::to_string(plane.label), text, cv::FONT_HERSHEY_SIMPLEX, 0.5 * scale, color,
+                thickness + border, cv::LINE_AA);
+  };
+  draw(cv::Scalar::all(0), 2);
+  draw(cv::Scalar::all(255), 0);
 }
 
 }  // namespace
 
 cv::Mat drawOverlay(const cv::Mat& depth, const Segmentation& segmentation, const CameraIntrinsics& camera) {
   CV_Assert(depth.cols == segmentation.width && depth.rows == segmentation.height);
-  const Projector project(camera);
   const double scale = std::max(0.6, depth.cols / 640.0);
 
   cv::Mat picture = tint(greyOf(depth), segmentation.labels);
-  for (const SegmentedPlane& plane : segmentation.planes)
-    drawOutline(segmentation, plane, project, std::max(1, cvRound(scale)), picture);
-  for (const SegmentedPlane& plane : segmentation.planes) drawNormal(plane, project, scale, picture);
+  for (const SegmentedPlane& plane : segmentation.planes) {
+    drawOutline(segmentation, plane, camera, std::max(1, cvRound(scale)), picture);
+  }
+  const std::vector<cv::Point> anchors = findAnchors(segmentation, camera);
+  for (std::size_t i = 0; i < anchors.size(); ++i) {
+    drawNormal(segmentation.planes[i], anchors[i], camera, scale, picture);
+  }
   return picture;
 }
 

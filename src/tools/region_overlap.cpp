@@ -10,17 +10,18 @@ namespace {
 
 using Sizes = std::map<std::uint16_t, std::int64_t>;
 
-std::vector<Region> regionsOf(const Sizes& sizes) {
-  std::vector<Region> regions;
+std::vector<CountedRegion> regionsOf(const Sizes& sizes) {
+  std::vector<CountedRegion> regions;
   for (const auto& [value, pixels] : sizes) {
     if (value != 0) regions.push_back({value, pixels});
   }
   return regions;
 }
 
-std::size_t indexOf(const std::vector<Region>& regions, std::uint16_t value) {
-  const auto at = std::lower_bound(regions.begin(), regions.end(), value,
-                                   [](const Region& region, std::uint16_t v) { return region.value < v; });
+std::size_t indexOf(const std::vector<CountedRegion>& regions, std::uint16_t value) {
+  const auto at =
+      std::lower_bound(regions.begin(), regions.end(), value,
+                       [](const CountedRegion& region, std::uint16_t v) { return region.value < v; });
   return static_cast<std::size_t>(at - regions.begin());
 }
 

@@ -11,7 +11,7 @@ namespace line_plane_segmentation {
 constexpr std::uint16_t kDoNotJudge = 65535;
 
 /// One region of a truth or label image: all pixels of one value, connected or not.
-struct Region {
+struct CountedRegion {
   std::uint16_t value = 0;
   std::int64_t pixels = 0;  ///< those to be judged
 };
@@ -26,9 +26,9 @@ struct Overlap {
 /// All that the measures need to know of a truth image and a label image of the same scene.
 /// Pixels that are not to be judged are taken out of both; a region without others does not exist.
 struct RegionOverlaps {
-  std::vector<Region> truth;      ///< by rising value
-  std::vector<Region> labels;     ///< by rising value
-  std::vector<Overlap> overlaps;  ///< pairs that share pixels, by rising truth, then label
+  std::vector<CountedRegion> truth;   ///< by rising value
+  std::vector<CountedRegion> labels;  ///< by rising value
+  std::vector<Overlap> overlaps;      ///< pairs that share pixels, by rising truth, then label
 };
 
 /// Counts the regions of two images of `pixels` pixels each.
