@@ -33,7 +33,7 @@ class SimulatedCameraNodelet : public nodelet::Nodelet {
     try {
       start();
     } catch (const std::exception& exception) {
-      NODELET_ERROR("does not start: %s", exception.what());
+      ROS_ERROR("[%s] does not start: %s", getName().c_str(), exception.what());
     }
   }
 
@@ -53,7 +53,7 @@ class SimulatedCameraNodelet : public nodelet::Nodelet {
     try {
       takeFrame();
     } catch (const std::exception& exception) {
-      NODELET_ERROR_THROTTLE(5.0, "no picture: %s", exception.what());
+      ROS_ERROR_THROTTLE(5.0, "[%s] no picture: %s", getName().c_str(), exception.what());
     }
     ++frame_;
   }
