@@ -1,18 +1,16 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
 """upright_frame beside a camera without tf, and beside one that tf knows."""
-import threading
 import unittest
 
 import rospy
 import rostest
 import tf2_ros
 from sensor_msgs.msg import CameraInfo
-from tf2_msgs.msg import TFMessage
 
 
-def camera(namespace, frame):
-    """A latched camera_info."""
+def publish_info(namespace, frame):
+    """A latched camera_info; the publisher has to be kept."""
     publisher = rospy.Publisher("/" + namespace + "/camera_info", CameraInfo, queue_size=1, latch=True)
     info = CameraInfo()
     info.header.frame_id = frame
@@ -21,30 +19,35 @@ def camera(namespace, frame):
 
 
 class UprightFrameTest(unittest.TestCase):
-    def test_lays_a_frame_only_where_tf_has_none(self):
-        laid = {}
-        done = threading.Event()
+    def setUp(self):
+        self.buffer = tf2_ros.Buffer()
+        self.listener = tf2_ros.TransformListener(self.buffer)
 
-        def note(message):
-            if "upright_frame" in message._connection_header["callerid"]:
-                for transform in message.transforms:
-                    laid[transform.child_frame_id] = transform
-                done.set()
+    def lookup(self, target, source):
+        """Translation and rotation as lists."""
+        transform = self.buffer.lookup_transform(target, source, rospy.Time(0), rospy.Duration(20)).transform
+        return ([getattr(transform.translation, axis) for axis in "xyz"],
+                [getattr(transform.rotation, axis) for axis in "xyzw"])
 
-        rospy.Subscriber("/tf_static", TFMessage, note)
-        buffer = tf2_ros.Buffer()
-        tf2_ros.TransformListener(buffer)
-        cameras = [camera("mounted", "mounted_optical"), camera("bare", "/bare_optical")]
+    def assert_close(self, expected, actual):
+        for one, other in zip(expected, actual):
+            self.assertAlmostEqual(one, other, places=5, msg="%s is not %s" % (actual, expected))
 
-        self.assertTrue(done.wait(20), "no frame was laid")
-        rospy.sleep(2)
-        self.assertEqual(["world"], list(laid))
-        self.assertEqual("bare_optical", laid["world"].header.frame_id)
+    def test_without_tf_the_frame_goes_along_with_the_camera(self):
+        publisher = publish_info("bare", "/bare_optical")
+        translation, rotation = self.lookup("bare_upright", "bare_optical")
+        self.assert_close([0, 0, 0], translation)
+        # z ahead, x right, y down  ->  x ahead, y left, z up
+        self.assert_close([-0.5, 0.5, -0.5, 0.5], rotation)
+        publisher.unregister()
 
-        rotation = buffer.lookup_transform("world", "bare_optical", rospy.Time(0), rospy.Duration(5)).transform.rotation
-        # z forward, x right, y down  ->  x forward, y left, z up
-        self.assertEqual((-0.5, 0.5, -0.5, 0.5), (rotation.x, rotation.y, rotation.z, rotation.w))
-        self.assertEqual(2, len(cameras))
+    def test_with_tf_the_frame_is_level_and_stays_in_the_world(self):
+        publisher = publish_info("mounted", "mounted_optical")
+        translation, rotation = self.lookup("world", "mounted_upright")
+        self.assert_close([3, 2, 1], translation)
+        # x looks along y, as the camera does; z is up, as the camera's is not
+        self.assert_close([0, 0, 0.5 ** 0.5, 0.5 ** 0.5], rotation)
+        publisher.unregister()
 
 
 if __name__ == "__main__":
