@@ -32,11 +32,11 @@ struct ScanlineParameters {
 /// Line regression, Algorithm 1. 0 means: from the image's width.
 ///
 /// The paper leaves the bound of the fidelity open. It was calibrated on simulated scans with the noise of Eq. 5, drawn
-/// for each pixel alone, at 0.8 to 2.5 m (test/core/line_fidelity_test.cpp). With 4, of the windows on a plane 93 to 85 %
-/// pass at VGA and 82 to 76 % at QVGA, and segments cover 98 to 92 % and 92 to 83 % of it; segments run over no step of
+/// for each pixel alone, at 0.8 to 2.5 m (test/core/line_fidelity_test.cpp). With 4, of the windows on a plane 93 to 84 %
+/// pass at VGA and 82 to 76 % at QVGA, and segments cover 98 to 90 % and 94 to 87 % of it; segments run over no step of
 /// 10 cm and no crease of 90 degrees, over 5 % of the creases of 60 degrees at most, and over a quarter of those of 30.
-/// With 3 a tenth more of a far plane is lost, with 6 a half of the creases of 30 degrees. A real sensor's noise differs
-/// less from pixel to pixel, so that more passes.
+/// With 3 more of a far plane is lost (15 to 20 %), with 6 half of the creases of 30 degrees. A real sensor's noise
+/// differs less from pixel to pixel, so that more passes.
 struct LineParameters {
   int line_window = 0;  ///< [px] points of a fit, Nf; paper: 11 (VGA), 7 (QVGA). Higher -> smoother, blind to short pieces
   int min_line_points = 0;  ///< [px] shortest segment, Nl; paper: 30 (VGA), 23 (QVGA). Higher -> fewer, surer candidates
@@ -63,7 +63,7 @@ struct ExtractionParameters {
 
 /// Method adaptive: the local planes at the crossings of the scanlines.
 struct PatchParameters {
-  double patch_noise_factor = 1.5;  ///< [-] tolerance of a patch, and unit of merge costs, as a multiple of sigma_z. Higher -> coarser sensors, blunter edges
+  double patch_noise_factor = 1.6;  ///< [-] tolerance of a patch, and unit of merge costs, as a multiple of sigma_z. Higher -> coarser sensors, blunter edges
   double patch_distance = 0.004;  ///< [m] least tolerance across the plane. Higher -> nearby surfaces may be rougher
   double patch_flatness = 1.2;  ///< [-] largest mean squared error of a patch, in tolerances squared. Higher -> rough and curved surfaces count as planes
 };
@@ -72,6 +72,7 @@ struct PatchParameters {
 struct ClusterParameters {
   double merge_cost = 8.0;  ///< [-] neighbours merge if that moves neither by more, in tolerances squared. Higher -> fewer, larger planes over blunt edges
   double coplanar_cost = 4.0;  ///< [-] the same for planes apart, with an object before the gap; 0 = never. Higher -> more is joined across gaps
+  double max_curvedness = 1.8;  ///< [-] largest mean squared error of a small plane, in tolerances squared. Higher -> pieces of curved things, as people, count as planes
   int min_patches = 4;  ///< [-] smallest plane in patches. Higher -> only large planes
 };
 
@@ -131,6 +132,7 @@ void visitParameters(ParametersType& p, Visitor&& visitor) {
   visitor("patch_flatness", p.patches.patch_flatness, 0.01, 100.0);
   visitor("merge_cost", p.clusters.merge_cost, 0.0, 1000.0);
   visitor("coplanar_cost", p.clusters.coplanar_cost, 0.0, 1000.0);
+  visitor("max_curvedness", p.clusters.max_curvedness, 0.01, 1000.0);
   visitor("min_patches", p.clusters.min_patches, 1, 1000);
   visitor("min_region_pixels", p.cleanup.min_region_pixels, 0, 100000);
   visitor("trace_outlines", p.outlines.trace_outlines, false, true);
