@@ -103,7 +103,7 @@ Parameters resolve(const Parameters& parameters, int width) {
   if (p.method == Method::kAdaptive) {
     setIfZero(p.scanlines.scanline_spacing, std::max(4, fromWidth(8, 12, 1.0, w)));
     setIfZero(p.lines.line_window, fromWidth(15, 21, 1.0, w) | 1);
-    setIfZero(p.extraction.min_plane_inliers, fromWidth(600, 2400, 2.0, w));
+    setIfZero(p.extraction.min_plane_inliers, fromWidth(550, 2200, 2.0, w));
   }
   setIfZero(p.cleanup.min_region_pixels, fromWidth(100, 400, 2.0, w));
   setIfZero(p.scanlines.scanline_spacing, fromWidth(20, 30, 1.0, w));
@@ -128,6 +128,7 @@ bool loadPreset(const std::string& name, Parameters& parameters) {
     parameters.scanlines.min_range = 0.1;
     parameters.scanlines.scanline_spacing = 5;
     parameters.lines.line_window = 7;
+    parameters.patches.patch_noise_factor = 1.5;
     parameters.patches.patch_distance = 1e-5;
     parameters.patches.patch_flatness = 2.0;
     parameters.clusters.merge_cost = 4.0;
