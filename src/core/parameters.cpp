@@ -127,18 +127,19 @@ bool loadPreset(const std::string& name, Parameters& parameters) {
     parameters.noise = {0.0007, 0.0, 0.0};  // steps of 1.3 mm, near and far
     parameters.scanlines.min_range = 0.1;
     parameters.scanlines.scanline_spacing = 5;
-    parameters.lines.line_window = 7;
+    parameters.lines.line_window = 5;
     parameters.patches.patch_noise_factor = 1.5;
     parameters.patches.patch_distance = 1e-5;
-    parameters.patches.patch_flatness = 2.0;
+    parameters.patches.patch_flatness = 3.0;
     parameters.clusters.merge_cost = 4.0;
-    parameters.clusters.coplanar_cost = 0.3;
+    parameters.clusters.coplanar_cost = 0.0;  // every face for itself
+    parameters.clusters.max_curvedness = 1000.0;
     parameters.clusters.min_patches = 3;
     parameters.extraction.plane_distance = 1e-4;
     parameters.extraction.neighbor_distance = 0.005;
     parameters.extraction.distance_noise_factor = 3.0;
     parameters.extraction.min_plane_inliers = 80;
-    parameters.cleanup.min_region_pixels = 40;
+    parameters.cleanup.min_region_pixels = 30;
   } else {
     return false;
   }
