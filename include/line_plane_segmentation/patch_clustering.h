@@ -27,14 +27,16 @@ class PatchClusterer {
                std::vector<PatchCluster>& clusters, std::vector<int>& cluster_of);
 
  private:
+  /// Two patches of clusters that may merge.
   struct Pair {
-    double cost;
+    double cost;  ///< of merging their clusters, as these were
     int a, b;
+    int patches;  ///< of both clusters then: clusters only grow, so the cost holds while this does
   };
 
   int find(int patch);
   double costOf(int a, int b, PatchCluster& merged) const;
-  bool mergeIfCheaper(int a, int b, double limit);
+  bool mergeIfCheaper(Pair& pair, double limit);
   void addNeighbor(int a, int b, const PatchGrid& grid, double limit);
   void sortPairs();
   void mergeNeighbors(const PatchGrid& grid, double limit);

@@ -39,9 +39,17 @@ double PatchClusterer::costOf(int a, int b, PatchCluster& merged) const {
          std::min(first.moments.pixels, second.moments.pixels);
 }
 
-bool PatchClusterer::mergeIfCheaper(int a, int b, double limit) {
+// Merges the clusters of a pair if that costs less than the limit.
+// @return whether the pair is done with, its patches being in one cluster
+bool PatchClusterer::mergeIfCheaper(Pair& pair, double limit) {
+  const int a = find(pair.a), b = find(pair.b);
+  if (a == b) return true;
+  const int patches = nodes_[static_cast<std::size_t>(a)].patches + nodes_[static_cast<std::size_t>(b)].patches;
+  if (patches == pair.patches && !(pair.cost < limit)) return false;
   PatchCluster merged;
-  if (!(costOf(a, b, merged) < limit)) return false;
+  pair.cost = costOf(a, b, merged);
+  pair.patches = patches;
+  if (!(pair.cost < limit)) return false;
   nodes_[static_cast<std::size_t>(a)] = merged;
   parent_[static_cast<std::size_t>(b)] = a;
   return true;
@@ -54,7 +62,7 @@ void PatchClusterer::addNeighbor(int a, int b, const PatchGrid& grid, double lim
   PatchCluster merged;
   const double cost = costOf(a, b, merged);
   // A pair of single patches may cost more than the clusters that they come to belong to, whose planes are surer.
-  if (cost < 4.0 * limit) pairs_.push_back({cost, a, b});
+  if (cost < 4.0 * limit) pairs_.push_back({cost, a, b, merged.patches});
 }
 
 void PatchClusterer::sortPairs() {
@@ -75,9 +83,8 @@ void PatchClusterer::mergeNeighbors(const PatchGrid& grid, double limit) {
   // The limit rises in steps, so that what is most alike has grown together before anything doubtful is asked.
   for (const double share : {1.0 / 16, 1.0 / 8, 1.0 / 4, 1.0 / 2, 1.0, 1.0}) {
     std::size_t kept = 0;
-    for (const Pair& pair : pairs_) {
-      const int a = find(pair.a), b = find(pair.b);
-      if (a != b && !mergeIfCheaper(a, b, share * limit)) pairs_[kept++] = pair;
+    for (Pair& pair : pairs_) {
+      if (!mergeIfCheaper(pair, share * limit)) pairs_[kept++] = pair;
     }
     pairs_.resize(kept);
   }
@@ -125,6 +132,7 @@ bool PatchClusterer::isOccludedBetween(int a, int b, const DepthImage& depth, co
 void PatchClusterer::mergeCoplanar(const DepthImage& depth, const ViewRays& rays, const PatchGrid& grid,
                                    const Parameters& parameters) {
   const double limit = parameters.clusters.coplanar_cost;
+  if (!(limit > 0.0)) return;
   roots_.clear();
   for (int i = 0; i < static_cast<int>(nodes_.size()); ++i) {
     if (find(i) == i && nodes_[static_cast<std::size_t>(i)].patches >= parameters.clusters.min_patches) {
@@ -144,14 +152,14 @@ void PatchClusterer::mergeCoplanar(const DepthImage& depth, const ViewRays& rays
   for (std::size_t i = 0; i < roots_.size(); ++i) {
     for (std::size_t j = i + 1; j < roots_.size(); ++j) {
       const double cost = costOf(roots_[i], roots_[j], merged);
-      if (cost < limit) pairs_.push_back({cost, roots_[i], roots_[j]});
+      if (cost < limit) pairs_.push_back({cost, roots_[i], roots_[j], merged.patches});
     }
   }
   sortPairs();
-  for (const Pair& pair : pairs_) {
+  for (Pair& pair : pairs_) {
     const int a = find(pair.a), b = find(pair.b);
     if (a == b || !(costOf(a, b, merged) < limit)) continue;
-    if (isOccludedBetween(a, b, depth, rays, grid, parameters)) mergeIfCheaper(a, b, limit);
+    if (isOccludedBetween(a, b, depth, rays, grid, parameters)) mergeIfCheaper(pair, limit);
   }
 }
 
