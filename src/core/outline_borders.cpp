@@ -46,11 +46,16 @@ void markStarts(const std::uint16_t* row, const std::uint16_t* above, int begin,
 int* appendMarked(const std::uint8_t* marks, int begin, int end, int* columns) {
   using Word = std::uint64_t;
   constexpr int kStep = sizeof(Word);
+  std::array<int, kStretch / kStep> marked_words;
+  std::size_t count = 0;
   for (int x = begin; x < end; x += kStep) {
     Word word;
     std::memcpy(&word, marks + x, sizeof(word));
-    if (word == 0) continue;
-    for (int i = x; i < x + kStep; ++i) {
+    marked_words[count] = x;
+    count += word != 0 ? 1 : 0;
+  }
+  for (std::size_t k = 0; k < count; ++k) {
+    for (int i = marked_words[k]; i < marked_words[k] + kStep; ++i) {
       *columns = i;
       columns += marks[i];
     }
@@ -78,17 +83,19 @@ void BorderFollower::follow(const std::uint16_t* labels, int width, int height, 
   largest_.assign(static_cast<std::size_t>(label_count) + 1, 0);
   seen_.assign(pixelAt(width, height) / kSeenInByte + 1, 0);
   row_above_image_.assign(static_cast<std::size_t>(width), 0);
-  differences_.resize(static_cast<std::size_t>(width / kStretch));
+  differences_.resize(static_cast<std::size_t>(width / kStretch + 1));
+  starts_.resize(static_cast<std::size_t>(width + kStretch));
   marks_.assign(static_cast<std::size_t>(width + kStretch), 0);
 
   const auto is_label = [label_count](int value) {
     return static_cast<unsigned>(value - 1) < static_cast<unsigned>(label_count);
   };
   for (int y = 0; y < height; ++y) {
-    findStarts(y);
-    const std::uint16_t* row = labels + pixelAt(0, y);
-    const std::uint16_t* above = y > 0 ? row - width : row_above_image_.data();
-    for (const int x : starts_) {
+    const std::uint16_t* const row = labels + pixelAt(0, y);
+    const std::uint16_t* const above = y > 0 ? row - width : row_above_image_.data();
+    const std::size_t count = findStarts(row, above);
+    for (std::size_t i = 0; i < count; ++i) {
+      const int x = starts_[i];
       const int left = std::max(x - 1, 0);
       const std::uint16_t around = above[x];
       const bool is_reflex = (around == row[left]) & (around == above[left]) & is_label(around);
@@ -107,23 +114,21 @@ void BorderFollower::follow(const std::uint16_t* labels, int width, int height, 
   std::sort(borders_.begin(), borders_.end(), comesBefore);
 }
 
-void BorderFollower::findStarts(int y) {
-  const std::uint16_t* row = labels_ + pixelAt(0, y);
-  const std::uint16_t* above = y > 0 ? row - width_ : row_above_image_.data();
+std::size_t BorderFollower::findStarts(const std::uint16_t* row, const std::uint16_t* above) {
   const int stretches = width_ / kStretch;
   compareStretches(row, above, stretches, differences_.data());
-  starts_.resize(static_cast<std::size_t>(width_ + kStretch));
+  differences_[static_cast<std::size_t>(stretches)] = 1;  // what is left of the row is always looked at
   int* const begin = starts_.data();
   int* end = begin;
   *end = 0;
   end += row[0] != above[0] ? 1 : 0;
   for (int stretch = 0; stretch <= stretches; ++stretch) {
-    if (stretch < stretches && differences_[static_cast<std::size_t>(stretch)] == 0) continue;
+    if (differences_[static_cast<std::size_t>(stretch)] == 0) continue;
     const int first = stretch * kStretch, last = std::min(first + kStretch, width_);
     markStarts(row, above, std::max(first, 1), last, marks_.data());
     end = appendMarked(marks_.data(), first, last, end);
   }
-  starts_.resize(static_cast<std::size_t>(end - begin));
+  return static_cast<std::size_t>(end - begin);
 }
 
 /// Follows a border round from a corner where it sets out in the given direction.

@@ -42,7 +42,7 @@ class BorderFollower {
  private:
   enum Direction : unsigned { kDown, kRight, kUp, kLeft };
 
-  void findStarts(int y);
+  std::size_t findStarts(const std::uint16_t* row, const std::uint16_t* above);
   void followFrom(int x, int y, Direction direction);
   std::size_t pixelAt(int x, int y) const {
     return static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(x);
@@ -63,8 +63,8 @@ class BorderFollower {
   std::vector<Corner> corners_;
   std::vector<Border> borders_;
   std::vector<std::int64_t> largest_;  // area of the largest part so far, by label
-  std::vector<std::uint8_t>
-      seen_;  // which of the borders that may start at a pixel's upper left corner were followed
+  // Which of the borders that may start at a pixel's upper left corner were followed.
+  std::vector<std::uint8_t> seen_;
   // Of one row: columns where borders may start, and what they are found with.
   std::vector<int> starts_;
   std::vector<std::uint8_t> marks_;
