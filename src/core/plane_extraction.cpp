@@ -14,12 +14,15 @@ namespace {
 
 constexpr int kMaxPlanes = std::numeric_limits<std::uint16_t>::max() - 1;  // 65535 is kept free: "do not judge"
 
-// A candidate in the queue. Its inliers are at most `bound`; they are exactly so many once counted in this round.
+// How a candidate's bound was found: each step costs more than the one before, and bounds tighter.
+enum class Bound { kStale, kTiles, kUnconnected, kExact };
+
+// A candidate in the queue. In `round` its inliers were at most `bound`, and they only fall.
 struct Entry {
   int bound;
   int candidate;
-  int bounded_in_round;
-  int counted_in_round;
+  int round;
+  Bound kind;
 };
 
 bool goesLater(const Entry& a, const Entry& b) {
@@ -31,7 +34,8 @@ bool goesLater(const Entry& a, const Entry& b) {
 struct PlaneExtractor::Scratch {
   DepthImage remaining;             // depth of the pixels that no plane has taken yet
   std::vector<std::uint8_t> links;  // neighbours nearer than neighbor_distance
-  std::vector<std::uint8_t> mask;
+  std::vector<std::uint8_t> mask;           // of one row
+  std::vector<std::uint64_t> boundaries;    // of one row: a byte for each pixel and one more
   TileGrid tiles;
   RunComponents components;
   std::vector<Entry> queue;
@@ -61,21 +65,49 @@ struct PlaneExtractor::Scratch {
                               candidate.u, candidate.v);
   }
 
+  // Calls `visit(row, span)` for the stretches of pixels that the last bound() has left, from the top.
+  template <typename Visitor>
+  void forEachSpan(Visitor&& visit) {
+    const std::vector<TileGrid::Span>& spans = tiles.spans();
+    for (std::size_t begin = 0, end = 0; begin < spans.size(); begin = end) {
+      const int tile_row = spans[begin].tile_row;
+      while (end < spans.size() && spans[end].tile_row == tile_row) ++end;
+      const int last_row = std::min((tile_row + 1) * TileGrid::kSide, remaining.height);
+      for (int v = tile_row * TileGrid::kSide; v < last_row; ++v) {
+        for (std::size_t s = begin; s < end; ++s) visit(v, spans[s]);
+      }
+    }
+  }
+
+  // Inliers, whether they hang together with the candidate or not.
+  int countUnconnected(const PlaneCandidate& candidate, const ViewRays& rays, float plane_distance) {
+    const Eigen::Vector3f normal = candidate.normal.cast<float>();
+    int count = 0;
+    forEachSpan([&](int v, const TileGrid::Span& span) {
+      const float a = normal.y() * rays.y[static_cast<std::size_t>(v)] + normal.z();
+      count += countInliers(remaining.row(v) + span.first, rays.x.data() + span.first, span.last - span.first, a,
+                            normal.x(), static_cast<float>(candidate.d), plane_distance);
+    });
+    return count;
+  }
+
+  // Adds the runs of the marked pixels of columns first to last - 1.
   void addRuns(int v, int first, int last) {
     const std::uint8_t* row_links = links.data() + remaining.index(0, v);
     const std::uint8_t* links_above = v > 0 ? row_links - remaining.width : nullptr;
-    for (int u = first; u < last;) {
-      if (mask[static_cast<std::size_t>(u)] == 0) {
-        ++u;
-        continue;
+    const int count = last - first;
+    std::uint8_t* begins = reinterpret_cast<std::uint8_t*>(boundaries.data());
+    markRunBoundaries(mask.data() + first, row_links + first, count, begins);
+    begins[count] = mask[static_cast<std::size_t>(last - 1)];  // what is open at the end ends there
+    std::fill(begins + count + 1, begins + (count / 8 + 1) * 8, std::uint8_t{0});
+    int open = -1;
+    for (int word = 0; word <= count / 8; ++word) {
+      if (boundaries[static_cast<std::size_t>(word)] == 0) continue;
+      for (int i = word * 8; i < word * 8 + 8; ++i) {
+        if (begins[i] == 0) continue;
+        if (open >= 0) components.add({v, first + open, first + i}, links_above);
+        open = i < count && mask[static_cast<std::size_t>(first + i)] != 0 ? i : -1;
       }
-      PixelRun run{v, u, u + 1};
-      while (run.last < last && mask[static_cast<std::size_t>(run.last)] != 0 &&
-             (row_links[run.last - 1] & kLinkRight) != 0) {
-        ++run.last;
-      }
-      components.add(run, links_above);
-      u = run.last;
     }
   }
 
@@ -84,21 +116,12 @@ struct PlaneExtractor::Scratch {
     const Eigen::Vector3f normal = candidate.normal.cast<float>();
     const float d = static_cast<float>(candidate.d);
     components.clear();
-    const std::vector<TileGrid::Span>& spans = tiles.spans();
-    for (std::size_t begin = 0, end = 0; begin < spans.size(); begin = end) {
-      const int tile_row = spans[begin].tile_row;
-      while (end < spans.size() && spans[end].tile_row == tile_row) ++end;
-      const int last_row = std::min((tile_row + 1) * TileGrid::kSide, remaining.height);
-      for (int v = tile_row * TileGrid::kSide; v < last_row; ++v) {
-        const float a = normal.y() * rays.y[static_cast<std::size_t>(v)] + normal.z();
-        for (std::size_t s = begin; s < end; ++s) {
-          const int first = spans[s].first, last = spans[s].last;
-          markInliers(remaining.row(v) + first, rays.x.data() + first, last - first, a, normal.x(), d, plane_distance,
-                      mask.data() + first);
-          addRuns(v, first, last);
-        }
-      }
-    }
+    forEachSpan([&](int v, const TileGrid::Span& span) {
+      const float a = normal.y() * rays.y[static_cast<std::size_t>(v)] + normal.z();
+      markInliers(remaining.row(v) + span.first, rays.x.data() + span.first, span.last - span.first, a, normal.x(), d,
+                  plane_distance, mask.data() + span.first);
+      addRuns(v, span.first, span.last);
+    });
     return components.componentAt(candidate.u, candidate.v);
   }
 
@@ -124,6 +147,7 @@ int PlaneExtractor::extract(const DepthImage& depth, const ViewRays& rays,
   Scratch& s = *scratch_;
   s.remaining = depth;
   s.mask.resize(static_cast<std::size_t>(depth.width));
+  s.boundaries.resize(static_cast<std::size_t>(depth.width) / 8 + 1);
   s.linkAll(rays, static_cast<float>(parameters.extraction.neighbor_distance));
   s.tiles.build(depth);
 
@@ -132,7 +156,7 @@ int PlaneExtractor::extract(const DepthImage& depth, const ViewRays& rays,
   std::vector<Entry>& queue = s.queue;
   queue.clear();
   for (std::size_t i = 0; i < candidates.size(); ++i) {
-    queue.push_back({std::numeric_limits<int>::max(), static_cast<int>(i), -1, -1});
+    queue.push_back({std::numeric_limits<int>::max(), static_cast<int>(i), 0, Bound::kStale});
   }
   std::make_heap(queue.begin(), queue.end(), goesLater);
 
@@ -143,23 +167,35 @@ int PlaneExtractor::extract(const DepthImage& depth, const ViewRays& rays,
     queue.pop_back();
     const PlaneCandidate& candidate = candidates[static_cast<std::size_t>(entry.candidate)];
 
-    if (entry.counted_in_round == round) {  // the most of all: nobody's bound is higher
-      s.bound(candidate, rays, plane_distance);
-      const int component = s.grow(candidate, rays, plane_distance);
-      s.take(component, static_cast<std::uint16_t>(++round), labels);
-      continue;
-    }
-    if (entry.bounded_in_round != round) {
+    if (entry.round != round) entry.kind = Bound::kStale;
+    entry.round = round;
+
+    if (entry.kind == Bound::kStale) {
       const PixelWindow window = windowAround(candidate.u, candidate.v, parameters.candidates.normal_window,
                                               depth.width, depth.height);
       if (s.validPixels(window) < parameters.candidates.min_window_points) continue;
-      entry.bound = std::min(entry.bound, s.bound(candidate, rays, plane_distance));
-      entry.bounded_in_round = round;
-    } else {
-      s.bound(candidate, rays, plane_distance);
-      const int component = s.grow(candidate, rays, plane_distance);
-      entry.bound = component < 0 ? 0 : s.components.pixelCount(component);
-      entry.counted_in_round = round;
+    }
+    const int tile_bound = s.bound(candidate, rays, plane_distance);
+    switch (entry.kind) {
+      case Bound::kStale:
+        entry.bound = std::min(entry.bound, tile_bound);
+        entry.kind = Bound::kTiles;
+        break;
+      case Bound::kTiles:
+        entry.bound = std::min(entry.bound, s.countUnconnected(candidate, rays, plane_distance));
+        entry.kind = Bound::kUnconnected;
+        break;
+      case Bound::kUnconnected: {
+        const int component = s.grow(candidate, rays, plane_distance);
+        entry.bound = component < 0 ? 0 : s.components.pixelCount(component);
+        entry.kind = Bound::kExact;
+        break;
+      }
+      case Bound::kExact: {  // the most of all: nobody's bound is higher
+        const int component = s.grow(candidate, rays, plane_distance);
+        s.take(component, static_cast<std::uint16_t>(++round), labels);
+        continue;
+      }
     }
     if (entry.bound < min_inliers) continue;
     queue.push_back(entry);

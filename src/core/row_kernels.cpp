@@ -18,6 +18,26 @@ void markInliers(const float* z, const float* x, int count, float a, float b, fl
 }
 
 LPS_MULTIVERSION
+int countInliers(const float* z, const float* x, int count, float a, float b, float d, float threshold) {
+  int inliers = 0;
+  for (int i = 0; i < count; ++i) {
+    const float distance = planeDistance(z[i], x[i], a, b, d);
+    inliers += ((z[i] > 0.0F) & (std::fabs(distance) < threshold)) ? 1 : 0;
+  }
+  return inliers;
+}
+
+LPS_MULTIVERSION
+void markRunBoundaries(const std::uint8_t* __restrict mask, const std::uint8_t* __restrict links, int count,
+                       std::uint8_t* __restrict boundaries) {
+  if (count > 0) boundaries[0] = mask[0];
+  for (int i = 1; i < count; ++i) {
+    const std::uint8_t unlinked = static_cast<std::uint8_t>(~links[i - 1] & kLinkRight);
+    boundaries[i] = static_cast<std::uint8_t>((mask[i] ^ mask[i - 1]) | (mask[i] & mask[i - 1] & unlinked));
+  }
+}
+
+LPS_MULTIVERSION
 void linkNeighbors(const float* z, const float* below, const float* x, float y, float y_below, int count, float bound,
                    std::uint8_t* links) {
   for (int i = 0; i + 1 < count; ++i) {

@@ -14,6 +14,13 @@ inline float planeDistance(float z, float x, float a, float b, float d) { return
 void markInliers(const float* z, const float* x, int count, float a, float b, float d, float threshold,
                  std::uint8_t* mask);
 
+/// How many pixels markInliers() would mark.
+int countInliers(const float* z, const float* x, int count, float a, float b, float d, float threshold);
+
+/// boundaries[i] = 1 where a run of marked, linked pixels begins or ends at i, else 0: mask[i] differs from mask[i - 1],
+/// or both are set but not linked. Before the first pixel nothing is marked.
+void markRunBoundaries(const std::uint8_t* mask, const std::uint8_t* links, int count, std::uint8_t* boundaries);
+
 /// Squared distance [m²] between the points of depths z0 and z1 on the rays (x0, y0, 1) and (x1, y1, 1).
 inline float squaredDistance(float z0, float x0, float y0, float z1, float x1, float y1) {
   const float dx = z1 * x1 - z0 * x0, dy = z1 * y1 - z0 * y0, dz = z1 - z0;
