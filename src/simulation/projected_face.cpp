@@ -26,7 +26,6 @@ void ProjectedFace::draw(int v, ImageRow& row) const {
   const double slope = inverse_depth_.per_column;
   const double offset = inverse_depth_.inRow(v);
   ColumnSpan span = row.allColumns();
-  span.cut(slope, offset - kFarthest);
   for (const LinearInPixels& side : sides_) span.cut(side.per_column, side.inRow(v));
   if (span.empty()) return;
 
@@ -34,7 +33,8 @@ void ProjectedFace::draw(int v, ImageRow& row) const {
   std::int64_t* labels = row.labels.data();
   const int end = span.end();
   for (int u = span.begin(); u < end; ++u) {
-    const double here = slope * u + offset;
+    const double here =
+        slope * u + offset;  // negative where the plane's other part, behind the camera, is met
     const bool nearer = here > inverse_depth[u];
     inverse_depth[u] = nearer ? here : inverse_depth[u];
     labels[u] = nearer ? label_ : labels[u];

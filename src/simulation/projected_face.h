@@ -10,14 +10,11 @@
 
 namespace line_plane_segmentation::simulation {
 
-/// [1/m] What is farther than a thousand kilometres is not seen; keeps 1 / z away from a division by 0.
-constexpr double kFarthest = 1e-6;
-
 /// A face as the camera sees it.
 class ProjectedFace {
  public:
   /// @param vertices  [m] in the optical frame, at least 3
-  /// @param plane     of the face, d > kFarthest
+  /// @param plane     of the face, d positive
   /// @param height    [px] of the image
   ProjectedFace(const std::vector<Eigen::Vector3d>& vertices, const VisiblePlane& plane,
                 const CameraIntrinsics& k, int height);

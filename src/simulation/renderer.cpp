@@ -13,6 +13,9 @@
 namespace line_plane_segmentation::simulation {
 namespace {
 
+/// [m] A plane that comes nearer than this to the camera is seen from its edge, which is: not at all.
+constexpr double kEdgeOn = 1e-9;
+
 /// All planes of the scene in the optical frame, by label; those seen from behind have d <= 0.
 std::vector<VisiblePlane> toOpticalFrame(const std::vector<WorldPlane>& world_planes,
                                          const Eigen::Isometry3d& camera) {
@@ -34,7 +37,7 @@ std::vector<ProjectedFace> projectFaces(const Scene& scene, const std::vector<Vi
   std::vector<Eigen::Vector3d> vertices;
   for (const Face& face : scene.faces()) {
     const VisiblePlane& plane = planes[face.label - 1U];
-    if (!(plane.d > kFarthest)) continue;
+    if (!(plane.d > kEdgeOn)) continue;
     vertices.clear();
     for (const Eigen::Vector3d& vertex : face.vertices) vertices.push_back(to_camera * vertex);
     faces.emplace_back(vertices, plane, k, height);

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "noise_pictures.h"
 
@@ -79,6 +80,28 @@ TEST(MissingPixels, GrazedSurfacesGoMissing) {
   EXPECT_NEAR(shareInRow(101 + 280), 0.49, 0.1) << "82 degrees";
   EXPECT_NEAR(shareInRow(kHeight - 1), 0.16, 0.08) << "79.3 degrees";
   EXPECT_EQ(missingShare(apply(p, wallAt(2.0))), 0.0);
+}
+
+// It is the ray that counts, not the optical axis: a wide lens grazes at its border a wall that faces it.
+TEST(MissingPixels, GrazingIsJudgedAlongEachPixelsRay) {
+  Scene scene;
+  scene.addRectangle({-1000, -1000, 1}, {0, 2000, 0}, {2000, 0, 0});
+  const CameraIntrinsics wide{40.0, 40.0, 0.5 * (kWidth - 1), 0.0};
+  Rendering picture;
+  render(scene, Eigen::Isometry3d::Identity(), wide, kWidth, kHeight, picture);
+  KinectNoiseParameters p = allOff();
+  p.grazing_start = 1.20;
+  p.grazing_end = 1.30;
+  Image mm(picture.depth.size());
+  KinectNoise(p).apply(picture, wide, 0, mm.data());
+  for (int v = 0; v < kHeight; ++v) {
+    for (int u = 0; u < kWidth; ++u) {
+      const double angle = std::atan(std::hypot((u - wide.cx) / wide.fx, v / wide.fy));
+      const bool missing = mm[static_cast<std::size_t>(v * kWidth + u)] == 0;
+      ASSERT_FALSE(missing && angle < 1.1999) << u << ", " << v;
+      ASSERT_FALSE(!missing && angle > 1.3001) << u << ", " << v;
+    }
+  }
 }
 
 TEST(MissingPixels, KeepsToItsRange) {
