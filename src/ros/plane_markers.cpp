@@ -14,8 +14,11 @@ namespace {
 
 using visualization_msgs::Marker;
 
-constexpr double kLineWidth = 0.01;   // [m]
-constexpr double kTextHeight = 0.08;  // [m]
+constexpr double kLineWidth = 0.02;   // [m]
+constexpr double kTextHeight = 0.12;  // [m]
+
+// The plane's own colour would not be seen on the cloud.
+constexpr float kWhitened = 0.6F;
 
 template <typename Vector>
 geometry_msgs::Point pointOf(const Vector& vector) {
@@ -24,6 +27,10 @@ geometry_msgs::Point pointOf(const Vector& vector) {
   point.y = vector.y();
   point.z = vector.z();
   return point;
+}
+
+float whitened(std::uint8_t channel) {
+  return kWhitened + (1.0F - kWhitened) * static_cast<float>(channel) / 255.0F;
 }
 
 Marker makeMarker(const std_msgs::Header& header, const char* name_space, std::uint32_t id, int type) {
@@ -35,9 +42,9 @@ Marker makeMarker(const std_msgs::Header& header, const char* name_space, std::u
   marker.action = Marker::ADD;
   marker.pose.orientation.w = 1.0;
   const Color color = colorOf(id);
-  marker.color.r = static_cast<float>(color.r) / 255.0F;
-  marker.color.g = static_cast<float>(color.g) / 255.0F;
-  marker.color.b = static_cast<float>(color.b) / 255.0F;
+  marker.color.r = whitened(color.r);
+  marker.color.g = whitened(color.g);
+  marker.color.b = whitened(color.b);
   marker.color.a = 1.0F;
   return marker;
 }
