@@ -4,7 +4,7 @@
 #include <string>
 
 #include "line_plane_segmentation/segmentation.h"
-#include "stage_clock.h"
+#include "line_plane_segmentation/stage_clock.h"
 
 namespace line_plane_segmentation {
 

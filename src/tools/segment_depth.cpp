@@ -13,11 +13,11 @@
 #include "depth_frames.h"
 #include "line_plane_segmentation/parameters.h"
 #include "line_plane_segmentation/plane_segmenter.h"
+#include "line_plane_segmentation/stage_clock.h"
 #include "output_files.h"
 #include "overlay.h"
 #include "planes_json.h"
 #include "run_tool.h"
-#include "stage_clock.h"
 
 namespace line_plane_segmentation {
 namespace {
