@@ -2,6 +2,8 @@
 #include "line_plane_segmentation/depth_view.h"
 
 #include <cstring>
+
+#include "multiversion.h"
 #include <limits>
 
 namespace line_plane_segmentation {
@@ -35,6 +37,18 @@ void load(const std::uint8_t* first, std::size_t stride, int count, float scale,
   }
 }
 
+// The usual case, a row of 16-bit pixels in this machine's byte order, for which no time is to be lost.
+LPS_MULTIVERSION
+void loadPackedUint16(const std::uint8_t* __restrict first, int count, float scale, const DepthRange& range,
+                      float* __restrict depth) {
+  const DepthRange bounds = range;
+  for (int i = 0; i < count; ++i) {
+    std::uint16_t stored;
+    std::memcpy(&stored, first + 2 * static_cast<std::size_t>(i), sizeof stored);
+    depth[i] = depthInRange(static_cast<float>(stored) * scale, bounds);
+  }
+}
+
 void load(const DepthView& view, const std::uint8_t* first, std::size_t stride, int count, DepthRange range, float* depth) {
   const float scale = view.metres_per_unit;
   // Denormal numbers are no depths either, and a NaN bound is none.
@@ -42,7 +56,7 @@ void load(const DepthView& view, const std::uint8_t* first, std::size_t stride, 
   if (!(range.min >= kSmallest)) range.min = kSmallest;
   if (view.type == DepthType::kUint16) {
     if (view.swap_bytes) return load<std::uint16_t, std::uint16_t, true>(first, stride, count, scale, range, depth);
-    if (stride == 2) return load<std::uint16_t, std::uint16_t, false>(first, 2, count, scale, range, depth);
+    if (stride == 2) return loadPackedUint16(first, count, scale, range, depth);
     return load<std::uint16_t, std::uint16_t, false>(first, stride, count, scale, range, depth);
   }
   if (view.swap_bytes) return load<float, std::uint32_t, true>(first, stride, count, scale, range, depth);

@@ -79,9 +79,8 @@ void PatchClusterer::mergeNeighbors(const PatchGrid& grid, double limit) {
       if (r + 1 < grid.rows) addNeighbor(i, i + grid.columns, grid, limit);
     }
   }
-  sortPairs();
   // The limit rises in steps, so that what is most alike has grown together before anything doubtful is asked.
-  for (const double share : {1.0 / 16, 1.0 / 8, 1.0 / 4, 1.0 / 2, 1.0, 1.0}) {
+  for (const double share : {1.0 / 64, 1.0 / 16, 1.0 / 8, 1.0 / 4, 1.0 / 2, 1.0, 1.0}) {
     std::size_t kept = 0;
     for (Pair& pair : pairs_) {
       if (!mergeIfCheaper(pair, share * limit)) pairs_[kept++] = pair;
