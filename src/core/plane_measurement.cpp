@@ -7,6 +7,13 @@
 #include "row_kernels.h"
 
 namespace line_plane_segmentation {
+namespace {
+
+// Cosine of the angle between the normal and the line of sight. Pixels of one row or column alone lie in a plane through
+// the camera, whose distance is nothing but rounding; nobody sees such a plane.
+constexpr double kEdgeOn = 1e-6;
+
+}  // namespace
 
 void PlaneMeasurement::sumLabels(const DepthImage& depth, const ViewRays& rays, int label_count,
                                  const LabelRuns& image) {
@@ -37,7 +44,7 @@ void PlaneMeasurement::measure(const DepthImage& depth, const ViewRays& rays, co
   for (std::size_t label = 1; label < sums_.size(); ++label) {
     const PointMoments& moments = sums_[label].moments;
     PlaneFit fit;
-    if (!fitPlane(moments, fit) || !(fit.d > 0.0)) continue;
+    if (!fitPlane(moments, fit) || !(fit.d > kEdgeOn * fit.centroid.norm())) continue;
     // A pixel of depth z covers z² / (fx fy) facing the camera, and on the plane, seen under the angle whose cosine
     // is d / (z |ray|) there, z³ / (d fx fy).
     const double area = sums_[label].cubed_depth / (fit.d * camera.fx * camera.fy);
