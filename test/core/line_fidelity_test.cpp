@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Where the default of line_fidelity comes from, and what holds it: scans with the noise of Eq. 5, drawn for each
-// pixel alone. Lower, it loses planes; higher, it passes what is bent: on the bounds below it fails either way.
+// Where the default of line_fidelity comes from, and what holds it: scans with the noise of Eq. 5, drawn for
+// each pixel alone. Lower, it loses planes; higher, it passes what is bent: on the bounds below it fails
+// either way.
 #include <gtest/gtest.h>
 
 #include <algorithm>

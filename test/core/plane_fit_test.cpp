@@ -4,11 +4,12 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Eigenvalues>
-#include <Eigen/SVD>
+#include <Eigen/Geometry>
 #include <cmath>
 #include <limits>
 #include <vector>
 
+#include "support/principal_axes.h"
 #include "support/random.h"
 #include "support/synthetic_depth.h"
 
@@ -43,19 +44,13 @@ TEST(FitPlane, AgreesWithSingularValuesOfTheCentredPoints) {
     PlaneFit plane;
     ASSERT_TRUE(fitPlane(momentsOf(points), plane));
 
-    Eigen::MatrixX3d matrix(count, 3);
-    for (int i = 0; i < count; ++i) matrix.row(i) = points[static_cast<std::size_t>(i)];
-    const Eigen::Vector3d centroid = matrix.colwise().mean();
-    matrix.rowwise() -= centroid.transpose();
-    const Eigen::JacobiSVD<Eigen::MatrixX3d> svd(matrix, Eigen::ComputeThinU | Eigen::ComputeThinV);
-    const Eigen::Vector3d variances = svd.singularValues().array().square() / count;
-
-    EXPECT_NEAR(std::abs(plane.normal.dot(svd.matrixV().col(2))), 1.0, 1e-9);
+    const PrincipalAxes axes = principalAxesOf(points);
+    EXPECT_NEAR(std::abs(plane.normal.dot(axes.normal)), 1.0, 1e-9);
     EXPECT_NEAR(plane.normal.norm(), 1.0, 1e-12);
-    EXPECT_LT((plane.centroid - centroid).norm(), 1e-12);
-    EXPECT_NEAR(plane.mean_square, variances[2], 1e-12);
-    EXPECT_NEAR(plane.curvature, variances[2] / variances.sum(), 1e-9);
-    EXPECT_NEAR(plane.normal.dot(centroid) + plane.d, 0.0, 1e-12);
+    EXPECT_LT((plane.centroid - axes.centroid).norm(), 1e-12);
+    EXPECT_NEAR(plane.mean_square, axes.variances[2], 1e-12);
+    EXPECT_NEAR(plane.curvature, axes.curvature(), 1e-9);
+    EXPECT_NEAR(plane.normal.dot(axes.centroid) + plane.d, 0.0, 1e-12);
     EXPECT_GE(plane.d, 0.0);
   }
 }

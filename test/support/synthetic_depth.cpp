@@ -7,6 +7,8 @@
 namespace line_plane_segmentation {
 namespace {
 
+constexpr double kFarthest = 20.0;  // [m] a surface seen at a glance does not go on forever
+
 Region randomRegion(int width, int height, Random& random) {
   Region region{};
   region.first_u = random.integer(0, width - 1);
@@ -59,7 +61,7 @@ void paint(const Surface& surface, const CameraIntrinsics& camera, const Region&
   for (int v = region.first_v; v < region.last_v; ++v) {
     for (int u = region.first_u; u < region.last_u; ++u) {
       const double z = surface.depthAlong((u - camera.cx) / camera.fx, (v - camera.cy) / camera.fy);
-      if (z > 0.0) depth.row(v)[u] = static_cast<float>(z);
+      if (z > 0.0 && z < kFarthest) depth.row(v)[u] = static_cast<float>(z);
     }
   }
 }

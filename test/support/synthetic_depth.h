@@ -39,7 +39,7 @@ ViewRays raysOf(const CameraIntrinsics& camera, int width, int height);
 /// An image without any depth.
 DepthImage blankDepth(int width, int height);
 
-/// Paints the surface over what is in the region.
+/// Paints the surface, as far as 20 m, over what is in the region.
 void paint(const Surface& surface, const CameraIntrinsics& camera, const Region& region, DepthImage& depth);
 
 /// An image of one surface.
