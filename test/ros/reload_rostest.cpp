@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The nodelet is loaded and unloaded again and again while images come at 30 Hz: no crash, no deadlock.
+#include <gtest/gtest.h>
+#include <line_plane_segmentation/PlaneArray.h>
+#include <nodelet/NodeletList.h>
+#include <nodelet/NodeletLoad.h>
+#include <nodelet/NodeletUnload.h>
+
+#include "test_camera.h"
+
+namespace line_plane_segmentation {
+namespace {
+
+class Reload : public testing::Test {
+ protected:
+  void SetUp() override { ASSERT_TRUE(ros::service::waitForService("manager/load_nodelet", 15000)); }
+
+  static bool load() {
+    nodelet::NodeletLoad call;
+    call.request.name = "/plane_segmenter";
+    call.request.type = "line_plane_segmentation/plane_segmenter";
+    return ros::service::call("manager/load_nodelet", call) && call.response.success;
+  }
+
+  static bool unload() {
+    nodelet::NodeletUnload call;
+    call.request.name = "/plane_segmenter";
+    return ros::service::call("manager/unload_nodelet", call) && call.response.success;
+  }
+
+  void publishNext() { camera_.publish(image_, info_, ros::Time(seconds_ += 1.0 / 30.0)); }
+
+  // Images come at 30 Hz until one is answered.
+  bool publishUntilAnswered() {
+    const int answers = planes_.count();
+    for (int frame = 0; frame < 300; ++frame) {
+      publishNext();
+      if (waitUntil([&] { return planes_.count() > answers; }, 1.0 / 30.0)) return true;
+    }
+    return false;
+  }
+
+  TestCamera camera_;
+  Inbox<PlaneArray> planes_{"plane_segmenter/planes"};
+  sensor_msgs::Image image_ = imageOfPlane(640, 480, "16UC1", Eigen::Vector3d(0.0, 0.0, -1.0), 1.5);
+  sensor_msgs::CameraInfo info_ = testInfo(640, 480);
+  double seconds_ = 100.0;
+};
+
+TEST_F(Reload, worksEachTimeAndLeavesNothingBehind) {
+  for (int round = 0; round < 50; ++round) {
+    ASSERT_TRUE(load()) << round;
+    ASSERT_TRUE(publishUntilAnswered()) << round;
+    // Into the midst of a frame, at another point each time.
+    for (int burst = 0; burst < 5; ++burst) publishNext();
+    ros::WallDuration(0.001 * (round % 10)).sleep();
+    ASSERT_TRUE(unload()) << round;
+  }
+  EXPECT_TRUE(waitUntil([this] { return camera_.imageSubscribers() == 0; }));
+  nodelet::NodeletList list;
+  ASSERT_TRUE(ros::service::call("manager/list", list)) << "the manager is dead";
+  EXPECT_TRUE(list.response.nodelets.empty());
+}
+
+}  // namespace
+}  // namespace line_plane_segmentation
+
+int main(int argc, char** argv) {
+  testing::InitGoogleTest(&argc, argv);
+  ros::init(argc, argv, "reload_rostest");
+  const ros::NodeHandle keeps_ros_running;
+  return RUN_ALL_TESTS();
+}
