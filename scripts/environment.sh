@@ -29,3 +29,7 @@ use_local_ros() {
   export ROS_HOME=$build_directory/ros_home
   unset ROS_LOG_DIR
 }
+
+free_port() {
+  /usr/bin/python3 -c 'import socket; s = socket.socket(); s.bind(("127.0.0.1", 0)); print(s.getsockname()[1])'
+}
