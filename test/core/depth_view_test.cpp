@@ -99,6 +99,20 @@ TYPED_TEST(DepthViewStorage, NothingIsWrittenBesideTheRow) {
   EXPECT_EQ(depth.back(), -1.0F);
 }
 
+TEST(DepthView, EveryNumberOfALongRowIsReadExactly) {
+  std::vector<std::uint16_t> pixels(65536);
+  for (std::size_t i = 0; i < pixels.size(); ++i) pixels[i] = static_cast<std::uint16_t>(i);
+  const DepthRange range{0.3F, 10.0F};
+  for (const std::size_t offset : {0U, 1U}) {
+    const StoredImage<std::uint16_t> image(pixels, 65536, 1, offset, 0, false);
+    const std::vector<float> depth = rowOf(image.view, 0, range);
+    for (std::size_t i = 0; i < pixels.size(); ++i) {
+      const float metres = static_cast<float>(i) * 0.001F;
+      ASSERT_EQ(depth[i], metres > range.min && metres < range.max ? metres : 0.0F) << i;
+    }
+  }
+}
+
 TEST(DepthView, OnlyPositiveFiniteFloatsAreDepths) {
   const float denormal = std::numeric_limits<float>::denorm_min();
   const std::vector<float> pixels = {

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "scalar_row_kernels.h"
+
+#include <cmath>
+
+#include "line_plane_segmentation/label_runs.h"
+
+namespace scalar_twin {
+namespace line_plane_segmentation {
+using namespace ::line_plane_segmentation;  // the types are the same
+}  // namespace line_plane_segmentation
+
+// What it includes is known by now, but for the choice of machines, which this turns off.
+#define LPS_SCALAR_ONLY
+#include "row_kernels.cpp"
+
+}  // namespace scalar_twin

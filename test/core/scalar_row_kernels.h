@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "row_kernels.h"
+
+/// The functions of row_kernels.h compiled once more, one pixel after the other and for the plainest of
+/// machines.
+namespace scalar_twin {
+namespace line_plane_segmentation {
+
+decltype(::line_plane_segmentation::markInliers) markInliers;
+decltype(::line_plane_segmentation::countInliers) countInliers;
+decltype(::line_plane_segmentation::markRunBoundaries) markRunBoundaries;
+decltype(::line_plane_segmentation::linkNeighbors) linkNeighbors;
+decltype(::line_plane_segmentation::countDepths) countDepths;
+decltype(::line_plane_segmentation::markChanges) markChanges;
+decltype(::line_plane_segmentation::prepareRow) prepareRow;
+decltype(::line_plane_segmentation::assignIfBetter) assignIfBetter;
+decltype(::line_plane_segmentation::sumRun) sumRun;
+
+}  // namespace line_plane_segmentation
+}  // namespace scalar_twin
