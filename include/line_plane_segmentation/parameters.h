@@ -72,7 +72,7 @@ struct PatchParameters {
 struct ClusterParameters {
   double merge_cost = 8.0;  ///< [-] neighbours merge if that moves neither by more, in tolerances squared. Higher -> fewer, larger planes over blunt edges
   double coplanar_cost = 4.0;  ///< [-] the same for planes apart, with an object before the gap; 0 = never. Higher -> more is joined across gaps
-  double max_curvedness = 1.8;  ///< [-] largest mean squared error of a small plane, in tolerances squared. Higher -> pieces of curved things, as people, count as planes
+  double max_curvedness = 1.5;  ///< [-] largest mean squared error of a small plane, in tolerances squared. Higher -> pieces of curved things, as people, count as planes
   int min_patches = 4;  ///< [-] smallest plane in patches. Higher -> only large planes
 };
 

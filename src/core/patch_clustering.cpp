@@ -13,8 +13,9 @@ namespace {
 constexpr std::size_t kMaxClusters = 65534;       // labels are 16 bit, and 65535 is kept free: "do not judge"
 constexpr std::size_t kMaxCoplanarClusters = 100;  // every pair of these is tried, so that the time stays bounded
 
-// Planes over so much of the grid are bent by the sensor's own distortion as much as small ones by their curvature.
-constexpr double kLargeShare = 0.015;
+// The sensor's own distortion bends a plane the more of the picture it fills: over so much of the grid, as much as
+// max_curvedness allows a small one.
+constexpr double kDistortedShare = 0.02;
 
 }  // namespace
 
@@ -178,12 +179,12 @@ void PatchClusterer::cluster(const DepthImage& depth, const ViewRays& rays, cons
 
   clusters.clear();
   cluster_of.assign(count, -1);
-  const double large = kLargeShare * static_cast<double>(count);
   for (std::size_t i = 0; i < count && clusters.size() < kMaxClusters; ++i) {
     const PatchCluster& node = nodes_[i];
     if (find(static_cast<int>(i)) != static_cast<int>(i) || node.patches < parameters.clusters.min_patches) continue;
-    const bool is_curved = node.squared_error > parameters.clusters.max_curvedness * node.moments.pixels;
-    if (is_curved && node.patches < large) continue;
+    const double share = node.patches / static_cast<double>(count);
+    const double max_error = parameters.clusters.max_curvedness * (1.0 + share / kDistortedShare);
+    if (node.squared_error > max_error * node.moments.pixels) continue;
     cluster_of[i] = static_cast<int>(clusters.size());
     clusters.push_back(nodes_[i]);
   }
