@@ -44,6 +44,8 @@ void printHelp() {
          "beside it\n"
          "     make it count as over-segmented.\n"
          "precision, recall, F1: regions with an IoU above 0.5 match.  mIoU: best IoU of each truth region.\n"
+         "Label regions that lie mostly on pixels not to be judged count only if they hold half a truth "
+         "region.\n"
          "PQ: F1 times the mean IoU of the matches.  covering: best IoU, weighted by pixels.\n";
 }
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 #include <utility>
 
 namespace line_plane_segmentation {
@@ -25,26 +26,50 @@ std::size_t indexOf(const std::vector<CountedRegion>& regions, std::uint16_t val
   return static_cast<std::size_t>(at - regions.begin());
 }
 
+using Counts = std::map<std::pair<std::uint16_t, std::uint16_t>, std::int64_t>;  // by truth and label
+
+Counts countPairs(const std::uint16_t* truth, const std::uint16_t* labels, std::size_t pixels) {
+  Counts counts;
+  for (std::size_t i = 0; i < pixels; ++i) ++counts[{truth[i], labels[i]}];
+  return counts;
+}
+
+// Labels that are mere fringes of what is not to be judged, as the header defines them.
+std::set<std::uint16_t> fringesIn(const Counts& counts, const Sizes& truth_sizes, const Sizes& label_sizes) {
+  std::set<std::uint16_t> fringes;
+  for (const auto& [values, count] : counts) {
+    const auto [truth, label] = values;
+    if (truth != kDoNotJudge) continue;
+    const auto judged = label_sizes.find(label);
+    if (judged != label_sizes.end() && count > judged->second) fringes.insert(label);
+  }
+  for (const auto& [values, count] : counts) {
+    const auto [truth, label] = values;
+    if (truth == 0 || truth == kDoNotJudge) continue;
+    if (2 * count > truth_sizes.at(truth)) fringes.erase(label);
+  }
+  return fringes;
+}
+
 }  // namespace
 
 RegionOverlaps countOverlaps(const std::uint16_t* truth, const std::uint16_t* labels, std::size_t pixels) {
-  std::map<std::pair<std::uint16_t, std::uint16_t>, std::int64_t> shared;
-  for (std::size_t i = 0; i < pixels; ++i) {
-    if (truth[i] != kDoNotJudge) ++shared[{truth[i], labels[i]}];
-  }
-
+  const Counts counts = countPairs(truth, labels, pixels);
   Sizes truth_sizes;
   Sizes label_sizes;
-  for (const auto& [values, count] : shared) {
+  for (const auto& [values, count] : counts) {
+    if (values.first == kDoNotJudge) continue;
     truth_sizes[values.first] += count;
     label_sizes[values.second] += count;
   }
+  for (const std::uint16_t label : fringesIn(counts, truth_sizes, label_sizes)) label_sizes.erase(label);
 
   RegionOverlaps result{regionsOf(truth_sizes), regionsOf(label_sizes), {}};
-  for (const auto& [values, count] : shared) {
-    if (values.first == 0 || values.second == 0) continue;
-    result.overlaps.push_back(
-        {indexOf(result.truth, values.first), indexOf(result.labels, values.second), count});
+  for (const auto& [values, count] : counts) {
+    const auto [truth_value, label] = values;
+    if (truth_value == 0 || truth_value == kDoNotJudge || label == 0 || label_sizes.count(label) == 0)
+      continue;
+    result.overlaps.push_back({indexOf(result.truth, truth_value), indexOf(result.labels, label), count});
   }
   return result;
 }

@@ -24,7 +24,10 @@ struct Overlap {
 };
 
 /// All that the measures need to know of a truth image and a label image of the same scene.
-/// Pixels that are not to be judged are taken out of both; a region without others does not exist.
+///
+/// Pixels that are not to be judged are taken out of both; a region without others does not exist. Nor does a
+/// label region that lies mostly on such pixels and holds no more than half of any truth region: what is
+/// left of it is the fringe of something that nobody judged (as in PQ, Kirillov et al. 2019).
 struct RegionOverlaps {
   std::vector<CountedRegion> truth;   ///< by rising value
   std::vector<CountedRegion> labels;  ///< by rising value

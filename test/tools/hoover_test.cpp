@@ -84,6 +84,13 @@ TEST(Hoover, PixelsNotToBeJudgedAreInNeitherImage) {
   expectCounts(nothing, {0, 0, 0, 0, 0, 0});
 }
 
+TEST(Hoover, WhatLiesMostlyOnPixelsNotToBeJudgedIsNoPieceOfItsSurroundings) {
+  const std::vector<Pixels> table_with_the_fringe_of_a_cup{{1, 1, 950}, {1, 2, 50}, {kDoNotJudge, 2, 400}};
+  expectCounts(classify(table_with_the_fringe_of_a_cup), {1, 0, 0, 0, 0, 0});
+  const std::vector<Pixels> table_with_a_false_piece{{1, 1, 950}, {1, 2, 50}, {kDoNotJudge, 2, 40}};
+  expectCounts(classify(table_with_a_false_piece), {0, 1, 0, 0, 0, 0});
+}
+
 TEST(Hoover, SmallTruthRegionsAreNotRequired) {
   const std::vector<Pixels> small_one_found{{1, 1, 100}, {2, 2, 10}};
   const HooverCounts counts = classify(small_one_found, kTolerance, 11);
