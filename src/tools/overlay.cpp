@@ -127,7 +127,10 @@ std::vector<cv::Point> findAnchors(const Segmentation& segmentation, const Camer
 
 void drawNormal(const SegmentedPlane& plane, const cv::Point& foot, const CameraIntrinsics& camera,
                 double scale, cv::Mat& picture) {
-  const Eigen::Vector3d above = plane.centroid + 0.12 * plane.centroid.z() * plane.normal;
+  // About as long as the plane is wide, but not too long, whatever the field of view.
+  const double pixels = std::min(0.1 * picture.cols, 0.7 * std::sqrt(plane.inliers));
+  const double metres = pixels * plane.centroid.z() / std::max(camera.fx, camera.fy);
+  const Eigen::Vector3d above = plane.centroid + metres * plane.normal;
   const cv::Point arrow = project(camera, above) - project(camera, plane.centroid);
   const cv::Point text = foot + cv::Point(cvRound(5 * scale), cvRound(15 * scale));
   const int thickness = std::max(1, cvRound(scale));
