@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Nothing is allocated in a warm frame: every call of malloc and its like in this program is counted, whoever
+// makes it.
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <memory>
+#include <vector>
+
+#include "line_plane_segmentation/plane_segmenter.h"
+#include "support/random.h"
+#include "support/synthetic_depth.h"
+
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#include <sanitizer/allocator_interface.h>
+#endif
+
+namespace {
+
+std::atomic<long> allocations{0};
+
+}  // namespace
+
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+// A sanitizer has an allocator of its own, which tells of every call.
+namespace {
+
+void countAllocation(const volatile void*, std::size_t) { ++allocations; }
+void ignoreRelease(const volatile void*) {}
+const int kInstalled = __sanitizer_install_malloc_and_free_hooks(countAllocation, ignoreRelease);
+
+}  // namespace
+#else
+// These go before those of the C library, also for the shared libraries; operator new ends here, too.
+extern "C" {
+
+void* __libc_malloc(std::size_t size);
+void* __libc_calloc(std::size_t count, std::size_t size);
+void* __libc_realloc(void* memory, std::size_t size);
+void* __libc_memalign(std::size_t alignment, std::size_t size);
+
+void* malloc(std::size_t size) {
+  ++allocations;
+  return __libc_malloc(size);
+}
+void* calloc(std::size_t count, std::size_t size) {
+  ++allocations;
+  return __libc_calloc(count, size);
+}
+void* realloc(void* memory, std::size_t size) {
+  ++allocations;
+  return __libc_realloc(memory, size);
+}
+void* memalign(std::size_t alignment, std::size_t size) {
+  ++allocations;
+  return __libc_memalign(alignment, size);
+}
+void* aligned_alloc(std::size_t alignment, std::size_t size) { return memalign(alignment, size); }
+int posix_memalign(void** memory, std::size_t alignment, std::size_t size) {
+  *memory = memalign(alignment, size);
+  return *memory == nullptr ? 12 : 0;  // ENOMEM
+}
+
+}  // extern "C"
+#endif
+
+namespace line_plane_segmentation {
+namespace {
+
+template <typename Function>
+long allocationsOf(Function&& function) {
+  const long before = allocations;
+  function();
+  return allocations - before;
+}
+
+TEST(AllocationCounter, CountsEachWayToAllocate) {
+  EXPECT_EQ(allocationsOf([] {}), 0);
+  std::unique_ptr<int> by_new;
+  EXPECT_EQ(allocationsOf([&] { by_new = std::make_unique<int>(3); }), 1);
+  std::vector<int> vector;
+  EXPECT_EQ(allocationsOf([&] { vector.resize(1000); }), 1);
+  void* memory = nullptr;
+  EXPECT_EQ(allocationsOf([&] { memory = std::malloc(100); }), 1);
+  EXPECT_EQ(allocationsOf([&] { memory = std::realloc(memory, 100000); }), 1);
+  std::free(memory);
+  EXPECT_EQ(allocationsOf([&] { memory = std::calloc(10, 10); }), 1);
+  std::free(memory);
+  EXPECT_EQ(allocationsOf([&] { memory = std::aligned_alloc(64, 640); }), 1);
+  std::free(memory);
+}
+
+/// A sequence of frames, as a moving camera has it: each is another image, and some have more in them than
+/// others.
+std::vector<std::vector<std::uint16_t>> frames(int width, int height) {
+  std::vector<std::vector<std::uint16_t>> all;
+  for (const std::uint64_t seed : {15U, 18U, 20U, 22U, 25U})
+    all.push_back(toMillimetres(randomScene(seed, width, height)));
+  return all;
+}
+
+class WarmFrame : public testing::TestWithParam<Method> {};
+
+TEST_P(WarmFrame, AllocatesNothing) {
+  Parameters parameters;
+  parameters.method = GetParam();
+  PlaneSegmenter segmenter(parameters);
+  const std::vector<std::vector<std::uint16_t>> images = frames(640, 480);
+  const auto segmentAll = [&] {
+    std::size_t planes = 0;
+    for (const std::vector<std::uint16_t>& pixels : images) {
+      planes += segmenter.segment(viewOf(pixels.data(), 640, 480), kinectCamera(640, 480)).planes.size();
+    }
+    return planes;
+  };
+  EXPECT_GT(allocationsOf(segmentAll), 0) << "the first frames have to";
+  EXPECT_GT(segmentAll(), 10U) << "the images are too poor to test anything";
+  EXPECT_EQ(allocationsOf(segmentAll), 0);
+}
+
+TEST_P(WarmFrame, AllocatesNothingForASmallerImage) {
+  Parameters parameters;
+  parameters.method = GetParam();
+  PlaneSegmenter segmenter(parameters);
+  const std::vector<std::uint16_t> large = frames(640, 480)[1], small = frames(320, 240)[1];
+  const auto segmentBoth = [&] {
+    segmenter.segment(viewOf(large.data(), 640, 480), kinectCamera(640, 480));
+    segmenter.segment(viewOf(small.data(), 320, 240), kinectCamera(320, 240));
+  };
+  segmentBoth();
+  EXPECT_EQ(allocationsOf(segmentBoth), 0);
+}
+
+INSTANTIATE_TEST_SUITE_P(Methods, WarmFrame, testing::Values(Method::kPaper, Method::kAdaptive),
+                         [](const auto& method) {
+                           return method.param == Method::kPaper ? "Paper" : "Adaptive";
+                         });
+
+}  // namespace
+}  // namespace line_plane_segmentation
