@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "frame_sources.h"
+
+#include <cmath>
+
+#include "depth_frames.h"
+#include "line_plane_segmentation/simulation/simulation.h"
+
+namespace line_plane_segmentation {
+namespace {
+
+using simulation::kinectIntrinsics;
+
+BenchmarkFrame emptyFrame(const std::string& name, int width, int height) {
+  const auto pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+  return {name, width, height, kinectIntrinsics(width, height), 0.001F, std::vector<std::uint16_t>(pixels)};
+}
+
+/// A cell of a grid over the picture, on the plane z = 1.
+struct Cell {
+  double x, y, width, height;
+};
+
+std::vector<Cell> gridCells(int count, const CameraIntrinsics& camera, int width, int height) {
+  const int columns = static_cast<int>(std::ceil(std::sqrt(count * 4.0 / 3.0)));
+  const int rows = (count + columns - 1) / columns;
+  const double cell_width = width / camera.fx / columns;
+  const double cell_height = height / camera.fy / rows;
+  std::vector<Cell> cells;
+  for (int i = 0; i < count; ++i) {
+    cells.push_back({-camera.cx / camera.fx + (i % columns + 0.5) * cell_width,
+                     -camera.cy / camera.fy + (i / columns + 0.5) * cell_height, cell_width, cell_height});
+  }
+  return cells;
+}
+
+// Neighbours differ in tilt and depth, so that no two make one plane.
+void addTile(const Cell& cell, int index, simulation::Scene& scene) {
+  constexpr double kFill = 0.94;
+  constexpr double kTilt = 0.35;
+  const double depth = 1.2 + 0.2 * (index % 3);
+  const double side = 0.5 * kFill * depth;
+  const double slope_x = index % 2 == 0 ? kTilt : -kTilt;
+  const double slope_y = index / 2 % 2 == 0 ? kTilt : -kTilt;
+  const auto corner = [&](double u, double v) {
+    const double x = u * side * cell.width;
+    const double y = v * side * cell.height;
+    return Eigen::Vector3d(cell.x * depth + x, cell.y * depth + y, depth + slope_x * x + slope_y * y);
+  };
+  scene.addPolygon({corner(-1, -1), corner(-1, 1), corner(1, 1), corner(1, -1)});
+}
+
+void addBall(const Cell& cell, simulation::Scene& scene) {
+  constexpr double kDepth = 1.4;
+  const double radius = 0.45 * kDepth * std::min(cell.width, cell.height);
+  scene.addCurvedBody(
+      simulation::ellipsoid({cell.x * kDepth, cell.y * kDepth, kDepth}, Eigen::Vector3d::Constant(radius)));
+}
+
+}  // namespace
+
+std::vector<BenchmarkFrame> recordedFrames(const std::filesystem::path& folder) {
+  const std::vector<DepthFrame> listed = framesOfTable(folder / "frames.csv");
+  checkNames(listed);
+  std::vector<BenchmarkFrame> frames;
+  for (const DepthFrame& from : listed) {
+    const cv::Mat image = readDepth(from);
+    BenchmarkFrame frame{
+        from.name, image.cols, image.rows, from.camera, static_cast<float>(1.0 / from.units_per_metre), {}};
+    for (int v = 0; v < image.rows; ++v) {
+      frame.depth.insert(frame.depth.end(), image.ptr<std::uint16_t>(v),
+                         image.ptr<std::uint16_t>(v) + image.cols);
+    }
+    frames.push_back(std::move(frame));
+  }
+  return frames;
+}
+
+std::vector<BenchmarkFrame> simulatedRooms(int count, int width, int height) {
+  std::vector<BenchmarkFrame> frames;
+  for (int seed = 1; seed <= count; ++seed) {
+    BenchmarkFrame frame = emptyFrame("room " + std::to_string(seed), width, height);
+    simulation::SimulatedCamera camera({static_cast<std::uint64_t>(seed), width, height, true});
+    camera.capture(0, 0.0, frame.depth.data());
+    frames.push_back(std::move(frame));
+  }
+  return frames;
+}
+
+BenchmarkFrame simulatedTiles(int planes, int width, int height) {
+  constexpr int kBalls = 48;
+  BenchmarkFrame frame = emptyFrame(std::to_string(planes) + " planes", width, height);
+  simulation::Scene scene;
+  const std::vector<Cell> cells = gridCells(planes == 0 ? kBalls : planes, frame.camera, width, height);
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    if (planes == 0) {
+      addBall(cells[i], scene);
+    } else {
+      addTile(cells[i], static_cast<int>(i), scene);
+    }
+  }
+  simulation::Rendering rendering;
+  simulation::render(scene, Eigen::Isometry3d::Identity(), frame.camera, width, height, rendering);
+  simulation::KinectNoise({}, 1).apply(rendering, frame.camera, 0, frame.depth.data());
+  return frame;
+}
+
+BenchmarkFrame halved(const BenchmarkFrame& frame) {
+  const CameraIntrinsics& camera = frame.camera;
+  BenchmarkFrame half{frame.name,
+                      frame.width / 2,
+                      frame.height / 2,
+                      {camera.fx / 2, camera.fy / 2, camera.cx / 2, camera.cy / 2},
+                      frame.metres_per_unit,
+                      {}};
+  for (int v = 0; v < half.height; ++v) {
+    for (int u = 0; u < half.width; ++u) {
+      half.depth.push_back(
+          frame.depth[static_cast<std::size_t>(2 * v) * static_cast<std::size_t>(frame.width) +
+                      static_cast<std::size_t>(2 * u)]);
+    }
+  }
+  return half;
+}
+
+}  // namespace line_plane_segmentation

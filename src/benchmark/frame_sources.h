@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+#include "benchmark_frame.h"
+
+namespace line_plane_segmentation {
+
+/// The frames of a folder with a table frames.csv and the images in depth/.
+/// @throws BadInput if something cannot be read
+std::vector<BenchmarkFrame> recordedFrames(const std::filesystem::path& folder);
+
+/// What a simulated Kinect sees in furnished rooms, one frame of each; the same on every machine.
+/// @param count  of rooms
+std::vector<BenchmarkFrame> simulatedRooms(int count, int width, int height);
+
+/// A picture of `planes` tilted tiles side by side, which fill it as well as they can; for 0 of balls.
+/// @param planes  0 to 100
+BenchmarkFrame simulatedTiles(int planes, int width, int height);
+
+/// Every second pixel of every second row, as the paper makes QVGA from VGA.
+BenchmarkFrame halved(const BenchmarkFrame& frame);
+
+}  // namespace line_plane_segmentation

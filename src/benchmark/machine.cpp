@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "machine.h"
+
+#include <Eigen/Core>
+#include <cstdlib>
+#include <fstream>
+#include <sstream>
+#include <thread>
+
+#include "table.h"
+
+namespace line_plane_segmentation {
+namespace {
+
+std::string processorName() {
+  std::ifstream stream("/proc/cpuinfo");
+  for (std::string line; std::getline(stream, line);) {
+    const std::size_t colon = line.find(": ");
+    if (line.rfind("model name", 0) == 0 && colon != std::string::npos) return line.substr(colon + 2);
+  }
+  return "unknown processor";
+}
+
+std::string loadAverage() {
+  double load = 0.0;
+  return getloadavg(&load, 1) == 1 ? threeDigits(load) : "unknown";
+}
+
+}  // namespace
+
+std::string describeMachine() {
+  std::ostringstream text;
+  text << "- " << processorName() << ", " << std::thread::hardware_concurrency()
+       << " processors at hand, one thread used; load average at the end " << loadAverage() << '\n'
+       << "- GCC or Clang `" << __VERSION__ << "`, " << BENCHMARK_BUILD_TYPE << ": `" << BENCHMARK_FLAGS
+       << "` for every method; this method `" << BENCHMARK_CORE_FLAGS << "` besides\n"
+       << "- PCL " << BENCHMARK_PCL_VERSION
+       << " as the distribution compiled it; `_avx2`: its templates compiled here with `-mavx2 -mfma`\n"
+       << "- Eigen " << EIGEN_WORLD_VERSION << '.' << EIGEN_MAJOR_VERSION << '.' << EIGEN_MINOR_VERSION
+       << '\n'
+       << "- Times are processor time of the process, which has one thread. Each method gets a frame before "
+          "the "
+          "next frame comes, round after round. PCL's clouds are made outside of its times; this method "
+          "starts "
+          "from the 16-bit depth image.\n";
+  return text.str();
+}
+
+}  // namespace line_plane_segmentation

@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+
+namespace line_plane_segmentation {
+
+/// Where and how the figures came about, as Markdown: the processor and its load, the compiler and its flags,
+/// PCL.
+std::string describeMachine();
+
+}  // namespace line_plane_segmentation

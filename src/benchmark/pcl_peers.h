@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <pcl/point_cloud.h>
+#include <pcl/point_types.h>
+
+#include <memory>
+
+#include "engine.h"
+
+/// What the peers' sources share. Included by them alone, since PCL's headers are in it.
+namespace line_plane_segmentation {
+
+std::unique_ptr<Engine> makeOmps(bool refine);
+std::unique_ptr<Engine> makeRansac();
+std::unique_ptr<Engine> makeRegionGrowing();
+
+/// The organised cloud of a frame, NaN where there is no depth.
+pcl::PointCloud<pcl::PointXYZ>::Ptr organisedCloud(const BenchmarkFrame& frame);
+
+/// The points of a frame that have a depth, in no order that PCL knows of.
+pcl::PointCloud<pcl::PointXYZ>::Ptr validPoints(const BenchmarkFrame& frame);
+
+/// A number of pixels that the paper chose at VGA, and at QVGA, by the frame's size.
+int pixelsAt(const BenchmarkFrame& frame, int at_vga, int at_qvga);
+
+}  // namespace line_plane_segmentation

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <pcl/segmentation/sac_segmentation.h>
+
+#include <numeric>
+
+#include "pcl_peers.h"
+
+namespace line_plane_segmentation {
+namespace {
+
+/// The plane with the most points by RANSAC, then the next from the points that are left, while they are
+/// many.
+class Ransac : public Engine {
+ public:
+  void load(const BenchmarkFrame& frame) override {
+    cloud_ = validPoints(frame);
+    min_inliers_ = static_cast<std::size_t>(pixelsAt(frame, 40000, 10000));
+  }
+
+  int segment() override {
+    constexpr double kDistance = 0.02;
+    constexpr int kIterations = 100;
+
+    pcl::SACSegmentation<pcl::PointXYZ> segmentation;
+    segmentation.setModelType(pcl::SACMODEL_PLANE);
+    segmentation.setMethodType(pcl::SAC_RANSAC);
+    segmentation.setDistanceThreshold(kDistance);
+    segmentation.setMaxIterations(kIterations);
+    segmentation.setInputCloud(cloud_);
+
+    pcl::IndicesPtr left(new std::vector<int>(cloud_->size()));
+    std::iota(left->begin(), left->end(), 0);
+    pcl::PointIndices inliers;
+    pcl::ModelCoefficients plane;
+    int planes = 0;
+    while (left->size() >= min_inliers_) {
+      segmentation.setIndices(left);
+      segmentation.segment(inliers, plane);
+      if (inliers.indices.size() < min_inliers_) break;
+      ++planes;
+      left = without(*left, inliers.indices);
+    }
+    return planes;
+  }
+
+ private:
+  pcl::IndicesPtr without(const std::vector<int>& all, const std::vector<int>& taken) const {
+    std::vector<bool> is_taken(cloud_->size(), false);
+    for (const int index : taken) is_taken[static_cast<std::size_t>(index)] = true;
+    pcl::IndicesPtr left(new std::vector<int>);
+    left->reserve(all.size());
+    for (const int index : all) {
+      if (!is_taken[static_cast<std::size_t>(index)]) left->push_back(index);
+    }
+    return left;
+  }
+
+  pcl::PointCloud<pcl::PointXYZ>::Ptr cloud_;
+  std::size_t min_inliers_ = 0;
+};
+
+}  // namespace
+
+std::unique_ptr<Engine> makeRansac() { return std::make_unique<Ransac>(); }
+
+}  // namespace line_plane_segmentation
