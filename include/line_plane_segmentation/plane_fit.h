@@ -16,6 +16,10 @@ struct PointMoments {
     sum += p;
     outer += p * p.transpose();
   }
+
+  /// [m²] of the points to the plane normal . p + d = 0; there must be points.
+  double meanSquareDistance(const Eigen::Vector3d& normal, double d) const;
+
   PointMoments& operator+=(const PointMoments& other) {
     count += other.count;
     sum += other.sum;

@@ -6,12 +6,13 @@
 #include "line_plane_segmentation/camera_intrinsics.h"
 #include "line_plane_segmentation/depth_image.h"
 #include "line_plane_segmentation/label_runs.h"
+#include "line_plane_segmentation/plane_estimate.h"
 #include "line_plane_segmentation/plane_fit.h"
 #include "line_plane_segmentation/segmentation.h"
 
 namespace line_plane_segmentation {
 
-/// Fits a plane by PCA to the pixels of every label and fills in all that a SegmentedPlane tells but its outline.
+/// Measures the planes of a label image from the pixels of every label: fills in all that a SegmentedPlane tells but its outline.
 ///
 /// Labels whose pixels span no plane, or less than the smallest area, are taken back to 0, and the labels above them
 /// move down.
@@ -21,8 +22,11 @@ class PlaneMeasurement {
   /// @param min_area      [m²]
   /// @param image         relabelled where a label goes
   /// @param segmentation  its planes and the number of its assigned pixels are filled in
+  /// @param estimates     the coefficients of label k are estimates[k - 1]; if there are none, each is fitted by PCA to
+  ///                      all of its pixels, as the paper has it
   void measure(const DepthImage& depth, const ViewRays& rays, const CameraIntrinsics& camera, int label_count,
-               double min_area, LabelRuns& image, Segmentation& segmentation);
+               double min_area, LabelRuns& image, Segmentation& segmentation,
+               const std::vector<PlaneEstimate>& estimates = {});
 
  private:
   struct Sums {

@@ -21,6 +21,9 @@ class RegionCleaner {
   int clean(const DepthImage& depth, const ViewRays& rays, const std::vector<PatchCluster>& clusters,
             const Parameters& parameters, LabelRuns& image);
 
+  /// The cluster of a label of the image last cleaned.
+  int clusterOf(int label) const { return order_[static_cast<std::size_t>(label - 1)] - 1; }
+
  private:
   /// A border that a small piece shares with large ones of one label.
   struct Contact {

@@ -3,9 +3,18 @@
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
+#include <algorithm>
 #include <cmath>
 
 namespace line_plane_segmentation {
+
+double PointMoments::meanSquareDistance(const Eigen::Vector3d& normal, double d) const {
+  // Of the mean and of the scatter about it, each without the other's large numbers.
+  const Eigen::Vector3d centroid = sum / count;
+  const Eigen::Matrix3d scatter = outer / count - centroid * centroid.transpose();
+  const double offset = normal.dot(centroid) + d;
+  return std::max(0.0, normal.dot(scatter * normal)) + offset * offset;
+}
 
 bool fitPlane(const PointMoments& moments, PlaneFit& plane) {
   if (moments.count < 3.0) return false;

@@ -36,7 +36,8 @@ void PlaneMeasurement::sumLabels(const DepthImage& depth, const ViewRays& rays, 
 }
 
 void PlaneMeasurement::measure(const DepthImage& depth, const ViewRays& rays, const CameraIntrinsics& camera,
-                               int label_count, double min_area, LabelRuns& image, Segmentation& segmentation) {
+                               int label_count, double min_area, LabelRuns& image, Segmentation& segmentation,
+                               const std::vector<PlaneEstimate>& estimates) {
   sumLabels(depth, rays, label_count, image);
   segmentation.planes.clear();
   segmentation.assigned_pixels = 0;
@@ -44,22 +45,26 @@ void PlaneMeasurement::measure(const DepthImage& depth, const ViewRays& rays, co
   for (std::size_t label = 1; label < sums_.size(); ++label) {
     const PointMoments& moments = sums_[label].moments;
     PlaneFit fit;
-    if (!fitPlane(moments, fit) || !(fit.d > kEdgeOn * fit.centroid.norm())) continue;
+    if (!fitPlane(moments, fit)) continue;
+    // Three of the degrees of freedom went into the plane.
+    const double sigma = std::sqrt(fit.mean_square * moments.count / std::max(1.0, moments.count - 3.0));
+    const PlaneEstimate estimate = estimates.empty()
+                                       ? PlaneEstimate{fit.normal, fit.d, fit.covariance(moments, sigma)}
+                                       : estimates[label - 1];
+    if (!(estimate.d > kEdgeOn * fit.centroid.norm())) continue;
     // A pixel of depth z covers z² / (fx fy) facing the camera, and on the plane, seen under the angle whose cosine
     // is d / (z |ray|) there, z³ / (d fx fy).
-    const double area = sums_[label].cubed_depth / (fit.d * camera.fx * camera.fy);
+    const double area = sums_[label].cubed_depth / (estimate.d * camera.fx * camera.fy);
     if (!(area >= min_area)) continue;
     SegmentedPlane plane;
     plane.label = static_cast<std::uint16_t>(segmentation.planes.size() + 1);
-    plane.normal = fit.normal;
-    plane.d = fit.d;
+    plane.normal = estimate.normal;
+    plane.d = estimate.d;
+    plane.covariance = estimate.covariance;
     plane.centroid = fit.centroid;
-    plane.rms = std::sqrt(fit.mean_square);
+    plane.rms = std::sqrt(moments.meanSquareDistance(estimate.normal, estimate.d));
     plane.inliers = static_cast<std::uint32_t>(moments.count);
     plane.area = area;
-    // Three of the degrees of freedom went into the plane.
-    const double sigma = plane.rms * std::sqrt(moments.count / std::max(1.0, moments.count - 3.0));
-    plane.covariance = fit.covariance(moments, sigma);
     segmentation.planes.push_back(plane);
     segmentation.assigned_pixels += plane.inliers;
     new_label_[label] = plane.label;

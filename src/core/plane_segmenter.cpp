@@ -72,6 +72,7 @@ struct PlaneSegmenter::Stages {
   std::vector<int> cluster_of;
   PixelAssigner assigner;
   RegionCleaner cleaner;
+  std::vector<PlaneEstimate> estimates;  // of each label
 
   // Each fills `runs` with the labels that it found, and returns how many there are.
   int runPaper(const CameraIntrinsics& camera, StageObserver& observer);
@@ -99,7 +100,11 @@ int PlaneSegmenter::Stages::runAdaptive(StageObserver& observer) {
   observer.stageFinished(Stage::kCandidates);
   assigner.assign(depth, rays, patch_grid, clusters, cluster_of, resolved, runs);
   observer.stageFinished(Stage::kExtraction);
-  return cleaner.clean(depth, rays, clusters, resolved, runs);
+  const int label_count = cleaner.clean(depth, rays, clusters, resolved, runs);
+  for (int label = 1; label <= label_count; ++label) {
+    estimates.push_back(estimatePlane(clusters[static_cast<std::size_t>(cleaner.clusterOf(label))]));
+  }
+  return label_count;
 }
 
 void PlaneSegmenter::Stages::describe() {
@@ -146,6 +151,7 @@ const Segmentation& PlaneSegmenter::segment(const DepthView& view, const CameraI
   s.segments.clear();
   s.candidates.clear();
   s.is_described = true;
+  s.estimates.clear();
   if (view.empty() || !camera.isValid()) {
     std::fill(s.result.labels.begin(), s.result.labels.end(), std::uint16_t{0});
     return s.result;
@@ -160,7 +166,8 @@ const Segmentation& PlaneSegmenter::segment(const DepthView& view, const CameraI
 
   const int label_count = s.resolved.method == Method::kPaper ? s.runPaper(camera, stage_observer)
                                                               : s.runAdaptive(stage_observer);
-  s.measurement.measure(s.depth, s.rays, camera, label_count, s.resolved.extraction.min_plane_area, s.runs, s.result);
+  s.measurement.measure(s.depth, s.rays, camera, label_count, s.resolved.extraction.min_plane_area, s.runs, s.result,
+                        s.estimates);
   s.runs.write(s.result.labels, view.width);
   stage_observer.stageFinished(Stage::kRefinement);
   s.outlines.trace(camera, s.resolved.outlines, s.result);
