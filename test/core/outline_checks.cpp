@@ -75,7 +75,8 @@ void tilt(const Eigen::Vector3d& normal, double distance, SegmentedPlane& plane)
 }
 
 CameraIntrinsics outlineCamera(int width, int height) {
-  return {0.9 * width + 7.0, 0.95 * width + 5.0, 0.5 * width - 0.7, 0.5 * height + 0.4};
+  const int side = std::max(width, height);
+  return {0.9 * side + 7.0, 0.95 * side + 5.0, 0.5 * width - 0.7, 0.5 * height + 0.4};
 }
 
 std::vector<Polygon> ringsInImage(const Segmentation& segmentation, const SegmentedPlane& plane,
@@ -131,6 +132,16 @@ bool isInside(const std::vector<Polygon>& rings, const Eigen::Vector2d& point) {
     }
   }
   return inside;
+}
+
+double distanceToRing(const Polygon& ring, const Eigen::Vector2d& point) {
+  double nearest = (point - ring[0]).norm();
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    const Eigen::Vector2d along = ring[(i + 1) % ring.size()] - ring[i];
+    const double position = std::clamp(along.dot(point - ring[i]) / along.squaredNorm(), 0.0, 1.0);
+    nearest = std::min(nearest, (point - ring[i] - position * along).norm());
+  }
+  return nearest;
 }
 
 std::string faultOf(const std::vector<Polygon>& rings) {

@@ -22,7 +22,7 @@ Segmentation segmentationOf(const std::vector<std::string>& rows);
 /// Another plane for a label: where it meets the optical axis it is `distance` [m] away.
 void tilt(const Eigen::Vector3d& normal, double distance, SegmentedPlane& plane);
 
-/// A camera for images of this size.
+/// A camera for images of this size, that sees 30 degrees to each side.
 CameraIntrinsics outlineCamera(int width, int height);
 
 /// The rings of a plane, as they look in the picture [px].
@@ -37,6 +37,9 @@ double signedArea(const Polygon& ring);
 
 /// Whether a point is inside an odd number of rings.
 bool isInside(const std::vector<Polygon>& rings, const Eigen::Vector2d& point);
+
+/// From a point to the nearest point of a ring.
+double distanceToRing(const Polygon& ring, const Eigen::Vector2d& point);
 
 /// What is wrong with rings that should be simple polygons that do not touch, by looking at every pair of
 /// edges: empty if nothing is.

@@ -113,6 +113,29 @@ TEST_P(OutlineFuzzTest, WithoutToleranceAreasArePixelCounts) {
   }
 }
 
+TEST_P(OutlineFuzzTest, BordersStayWithinTheTolerance) {
+  for (std::uint64_t seed = 0; seed < 100; ++seed) {
+    ASSERT_NO_FATAL_FAILURE(trace(seed, 56));
+    const Segmentation simplified = segmentation_;
+    const double tolerance = parameters_.outline_tolerance;
+    parameters_.outline_tolerance = 0.0;
+    tracer_.trace(camera_, parameters_, segmentation_);
+    ASSERT_LE(simplified.vertices.size(), segmentation_.vertices.size());
+    for (std::size_t k = 0; k < segmentation_.planes.size(); ++k) {
+      SCOPED_TRACE(caseOf(seed, k));
+      const std::vector<Polygon> borders = ringsInImage(segmentation_, segmentation_.planes[k], camera_);
+      const std::vector<Polygon> rings = ringsInImage(simplified, simplified.planes[k], camera_);
+      ASSERT_EQ(rings.size(), borders.size());
+      for (std::size_t r = 0; r < rings.size(); ++r) {
+        for (const Eigen::Vector2d& corner : borders[r]) {
+          ASSERT_LE(distanceToRing(rings[r], corner), tolerance + 2.0 * kInsetDistance + 1e-3)
+              << "of " << tolerance;
+        }
+      }
+    }
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(Pictures, OutlineFuzzTest, testing::ValuesIn(kAllOutlinePictures),
                          [](const auto& picture) { return nameOf(picture.param); });
 

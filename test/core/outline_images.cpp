@@ -179,8 +179,7 @@ Segmentation outlinePicture(OutlinePicture picture, int width, int height, std::
   Random random(seed * 16 + static_cast<std::uint64_t>(picture));
   Segmentation segmentation = segmentationOf(width, height, labelsOf(picture, width, height, random));
   for (SegmentedPlane& plane : segmentation.planes) {
-    // Every ray of the image meets the plane: tilted by 30 degrees at most, and the view is 30 wide to each
-    // side.
+    // Little enough that every ray of outlineCamera() meets the plane.
     const Eigen::Vector3d normal(random.uniform(-0.4, 0.4), random.uniform(-0.4, 0.4), -1.0);
     tilt(normal, random.uniform(0.5, 5.0), plane);
   }

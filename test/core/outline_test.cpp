@@ -182,6 +182,17 @@ TEST(OutlineTest, ToleranceSmoothesStairs) {
   EXPECT_EQ(traced(picture, parameters).vertices.size(), 4U);
 }
 
+TEST(OutlineTest, WhatSticksOutBeyondTheEndOfAnEdgeIsKept) {
+  // The tip on the left is near the line through the two ends of the figure, but far from both.
+  std::vector<std::string> picture(8, std::string(28, '.') + std::string(23, '1'));
+  picture[0] = std::string(10, '.') + std::string(41, '1');
+  picture[1] = std::string(51, '1');
+  OutlineParameters parameters;
+  parameters.outline_tolerance = 5.0;
+  const Segmentation s = traced(picture, parameters);
+  EXPECT_LE(distanceToRing(ringsOf(s)[0], {-0.5, 1.5}), 5.0);
+}
+
 TEST(OutlineTest, CounterclockwiseAboutTheNormal) {
   for (const Eigen::Vector3d& normal :
        {Eigen::Vector3d(0, 0, -1), Eigen::Vector3d(0.6, 0.1, -0.7), Eigen::Vector3d(-0.3, -0.9, -0.4)}) {
