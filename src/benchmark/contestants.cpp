@@ -21,7 +21,8 @@ void addPeers(const std::string& ending, std::unique_ptr<Engine> (*make)(PclMeth
   all.push_back({"omps" + ending, false, make(PclMethod::kOmps)});
   all.push_back({"omps_refined" + ending, false, make(PclMethod::kOmpsRefined)});
   all.push_back({"ransac" + ending, true, make(PclMethod::kRansac)});
-  all.push_back({"rgs" + ending, true, make(PclMethod::kRegionGrowing)});
+  std::unique_ptr<Engine> region_growing = make(PclMethod::kRegionGrowing);
+  if (region_growing != nullptr) all.push_back({"rgs" + ending, true, std::move(region_growing)});
 }
 
 }  // namespace

@@ -19,6 +19,7 @@ enum class PclMethod {
 std::unique_ptr<Engine> makePclEngine(PclMethod method);
 
 /// A peer whose templates were compiled here with AVX2 and FMA. Only for processors that have them.
+/// @return null for region growing
 /// Defined where PCL_ENGINES_WITH_AVX2 is.
 std::unique_ptr<Engine> makePclEngineWithAvx2(PclMethod method);
 

@@ -12,7 +12,14 @@ namespace {
 constexpr int kVgaPixels = 640 * 480;
 constexpr int kQvgaPixels = 320 * 240;
 
-std::unique_ptr<Engine> makePeer(PclMethod method) {
+}  // namespace
+
+// This source is compiled twice.
+#ifdef COMPILING_WITH_AVX2
+std::unique_ptr<Engine> makePclEngineWithAvx2(PclMethod method) {
+#else
+std::unique_ptr<Engine> makePclEngine(PclMethod method) {
+#endif
   switch (method) {
     case PclMethod::kOmps:
       return makeOmps(false);
@@ -21,19 +28,13 @@ std::unique_ptr<Engine> makePeer(PclMethod method) {
     case PclMethod::kRansac:
       return makeRansac();
     case PclMethod::kRegionGrowing:
+#ifndef COMPILING_WITH_AVX2
       return makeRegionGrowing();
+#endif
+      break;
   }
   return nullptr;
 }
-
-}  // namespace
-
-// This source is compiled twice.
-#ifdef COMPILING_WITH_AVX2
-std::unique_ptr<Engine> makePclEngineWithAvx2(PclMethod method) { return makePeer(method); }
-#else
-std::unique_ptr<Engine> makePclEngine(PclMethod method) { return makePeer(method); }
-#endif
 
 pcl::PointCloud<pcl::PointXYZ>::Ptr organisedCloud(const BenchmarkFrame& frame) {
   constexpr float kNone = std::numeric_limits<float>::quiet_NaN();

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "table.h"
 
+#include <algorithm>
 #include <boost/algorithm/string/join.hpp>
 #include <cmath>
 #include <iomanip>
+#include <locale>
 #include <sstream>
 
 namespace line_plane_segmentation {
@@ -28,7 +30,7 @@ std::string Table::csv() const {
 }
 
 std::string threeDigits(double number) {
-  const int digits_before = number >= 1.0 ? static_cast<int>(std::floor(std::log10(number))) + 1 : 1;
+  const int digits_before = number >= 1.0 ? static_cast<int>(std::floor(std::log10(number))) + 1 : 0;
   std::ostringstream text;
   text.imbue(std::locale::classic());
   text << std::fixed << std::setprecision(std::max(0, 3 - digits_before)) << number;

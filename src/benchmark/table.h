@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace line_plane_segmentation {
@@ -27,7 +28,7 @@ class Table {
   std::vector<Row> rows_;
 };
 
-/// A time [ms] or a ratio with three significant digits.
+/// A time [ms] or a ratio with three significant digits, but no more than three after the point.
 std::string threeDigits(double number);
 
 }  // namespace line_plane_segmentation

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "measurement.h"
+
+#include <gtest/gtest.h>
+
+namespace line_plane_segmentation {
+namespace {
+
+/// Writes down what is asked of it.
+class Recorder : public Engine {
+ public:
+  Recorder(char name, std::string& log) : name_(name), log_(log) {}
+  void load(const BenchmarkFrame& frame) override { frame_ = frame.name; }
+  int segment() override {
+    log_ += name_ + frame_ + ' ';
+    return 7;
+  }
+
+ private:
+  char name_;
+  std::string frame_;
+  std::string& log_;
+};
+
+BenchmarkFrame named(const std::string& name) {
+  BenchmarkFrame frame;
+  frame.name = name;
+  return frame;
+}
+
+class Measure : public testing::Test {
+ protected:
+  Measure() {
+    methods_.push_back({"fast", false, std::make_unique<Recorder>('f', log_)});
+    methods_.push_back({"slow", true, std::make_unique<Recorder>('s', log_)});
+  }
+  std::string log_;
+  std::vector<Contestant> methods_;
+};
+
+TEST_F(Measure, TakesMethodsInTurnAndSparesTheSlowOnes) {
+  const auto results = measure({named("1"), named("2")}, methods_, {2, 1, false});
+  EXPECT_EQ(log_, "f1 f2 f1 s1 f2 s2 f1 f2 ");
+  ASSERT_EQ(results.size(), 4U);
+  EXPECT_EQ(results[0].frame + results[0].method, "1fast");
+  EXPECT_EQ(results[3].frame + results[3].method, "2slow");
+  EXPECT_EQ(results[0].total.runs, 2) << "the first round is not timed";
+  EXPECT_EQ(results[1].total.runs, 1);
+  EXPECT_EQ(results[2].planes, 7);
+  EXPECT_TRUE(results[0].stages.empty());
+}
+
+TEST_F(Measure, WarmRunsFollowOneOfTheSame) {
+  const auto results = measure({named("1")}, methods_, {1, 1, true});
+  EXPECT_EQ(log_, "f1 f1 f1 s1 ");
+  EXPECT_EQ(results[0].total.runs, 1);
+}
+
+TEST(StatisticsOf, OddEvenAndOne) {
+  const Statistics odd = statisticsOf({5.0, 1.0, 2.0});
+  EXPECT_DOUBLE_EQ(odd.median, 2.0);
+  EXPECT_DOUBLE_EQ(odd.min, 1.0);
+  EXPECT_DOUBLE_EQ(odd.max, 5.0);
+  EXPECT_EQ(odd.runs, 3);
+  EXPECT_DOUBLE_EQ(statisticsOf({8.0, 1.0, 2.0, 4.0}).median, 3.0);
+  EXPECT_DOUBLE_EQ(statisticsOf({4.0}).median, 4.0);
+}
+
+}  // namespace
+}  // namespace line_plane_segmentation
