@@ -52,6 +52,9 @@ struct RegressionMoments {
   /// Multiplies the weight of every pixel.
   void scale(double weight);
 
+  /// The sum of squared errors of the pixels to a plane of any kind.
+  double squaredErrorTo(const InverseDepthPlane& plane) const;
+
   /// Fits the plane.
   /// @return the sum of squared errors, or a negative number if the pixels do not fix a plane
   double fit(InverseDepthPlane& plane) const;

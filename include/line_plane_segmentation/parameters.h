@@ -56,7 +56,7 @@ struct CandidateParameters {
 struct ExtractionParameters {
   double plane_distance = 0.02;  ///< [m] a point's distance to its plane, delta_d. Higher -> thicker planes, that swallow their neighbours
   double neighbor_distance = 0.03;  ///< [m] between neighbours of one plane, delta_n. Higher -> bridges gaps and steps
-  double distance_noise_factor = 4.0;  ///< [-] method adaptive: both distances are at least so many sigma_z (Eq. 5). Higher -> far planes stay whole
+  double distance_noise_factor = 4.5;  ///< [-] method adaptive: both distances are at least so many sigma_z (Eq. 5). Higher -> far planes stay whole
   int min_plane_inliers = 0;  ///< [px] smallest plane, N; paper: 5000 (VGA), 1000 (QVGA). Higher -> only large planes
   double min_plane_area = 0.0;  ///< [m²] smallest plane; 0 = no such limit. Higher -> only large planes
 };

@@ -42,6 +42,7 @@ class PatchClusterer {
   void mergeNeighbors(const PatchGrid& grid, double limit);
   void mergeCoplanar(const DepthImage& depth, const ViewRays& rays, const PatchGrid& grid,
                      const Parameters& parameters);
+  void trim(const PatchGrid& grid, std::vector<PatchCluster>& clusters, std::vector<int>& cluster_of);
   int nearestPatch(const PatchGrid& grid, int root, int to);
   bool isOccludedBetween(int a, int b, const DepthImage& depth, const ViewRays& rays, const PatchGrid& grid,
                          const Parameters& parameters);

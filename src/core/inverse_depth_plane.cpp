@@ -22,6 +22,12 @@ void RegressionMoments::scale(double weight) {
   for (double* sum : {&xx, &xy, &yy, &x, &y, &one, &xw, &yw, &w, &ww}) *sum *= weight;
 }
 
+double RegressionMoments::squaredErrorTo(const InverseDepthPlane& p) const {
+  const double squares = p.a * p.a * xx + p.b * p.b * yy + p.c * p.c * one;
+  const double products = p.a * p.b * xy + p.a * p.c * x + p.b * p.c * y;
+  return std::max(0.0, ww - 2.0 * (p.a * xw + p.b * yw + p.c * w) + squares + 2.0 * products);
+}
+
 double RegressionMoments::fit(InverseDepthPlane& plane) const {
   if (!(one > 0.0)) return -1.0;
   const double share = 1.0 / one;

@@ -17,6 +17,11 @@ constexpr std::size_t kMaxCoplanarClusters = 100;  // every pair of these is tri
 // max_curvedness allows a small one.
 constexpr double kDistortedShare = 0.02;
 
+// A patch whose pixels deviate from its cluster's plane by so many times what is usual there belongs to something else
+// that runs into the plane; not so if that is within the tolerance anyway.
+constexpr double kOutlierFactor = 4.0;
+constexpr double kNeverOutlier = 0.5;  // in tolerances squared
+
 }  // namespace
 
 int PatchClusterer::find(int patch) {
@@ -163,6 +168,28 @@ void PatchClusterer::mergeCoplanar(const DepthImage& depth, const ViewRays& rays
   }
 }
 
+// Takes outliers out of the clusters, whose planes they would bend.
+void PatchClusterer::trim(const PatchGrid& grid, std::vector<PatchCluster>& clusters, std::vector<int>& cluster_of) {
+  nodes_.assign(clusters.size(), PatchCluster{});
+  for (std::size_t i = 0; i < cluster_of.size(); ++i) {
+    if (cluster_of[i] < 0) continue;
+    const std::size_t k = static_cast<std::size_t>(cluster_of[i]);
+    const RegressionMoments& patch = grid.patches[i].moments;
+    const double usual = clusters[k].squared_error / clusters[k].moments.pixels;
+    if (patch.squaredErrorTo(clusters[k].plane) > std::max(kOutlierFactor * usual, kNeverOutlier) * patch.pixels) {
+      cluster_of[i] = -1;
+    } else {
+      nodes_[k].moments += patch;
+      ++nodes_[k].patches;
+    }
+  }
+  for (std::size_t k = 0; k < clusters.size(); ++k) {
+    PatchCluster& trimmed = nodes_[k];
+    trimmed.squared_error = trimmed.moments.fit(trimmed.plane);
+    if (trimmed.squared_error >= 0.0) clusters[k] = trimmed;
+  }
+}
+
 void PatchClusterer::cluster(const DepthImage& depth, const ViewRays& rays, const PatchGrid& grid,
                              const Parameters& parameters, std::vector<PatchCluster>& clusters,
                              std::vector<int>& cluster_of) {
@@ -191,6 +218,7 @@ void PatchClusterer::cluster(const DepthImage& depth, const ViewRays& rays, cons
   for (std::size_t i = 0; i < count; ++i) {
     cluster_of[i] = cluster_of[static_cast<std::size_t>(find(static_cast<int>(i)))];
   }
+  trim(grid, clusters, cluster_of);
 }
 
 }  // namespace line_plane_segmentation
