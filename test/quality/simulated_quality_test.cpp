@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What was reached in simulated rooms, whose planes are known exactly, is not lost again.
+#include <gtest/gtest.h>
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <iostream>
+#include <vector>
+
+#include "line_plane_segmentation/plane_segmenter.h"
+#include "quality_figures.h"
+#include "simulated_rooms.h"
+
+namespace line_plane_segmentation {
+namespace {
+
+// Chi-squared with the three degrees of freedom of a plane: 95 % of its values are below, half of them.
+constexpr double kChiSquared95 = 7.815;
+constexpr double kChiSquaredMedian = 2.366;
+
+/// How far planes are from the true ones, one value a plane.
+struct PlaneErrors {
+  std::vector<double> angle;     ///< [degrees] between the normals
+  std::vector<double> distance;  ///< [m] of the found plane's centroid from the true plane
+  std::vector<double> nees;      ///< normalised estimation error squared
+};
+
+double quantile(std::vector<double> values, double share) {
+  std::sort(values.begin(), values.end());
+  return values[static_cast<std::size_t>(share * static_cast<double>(values.size() - 1))];
+}
+
+// The covariance has no inverse: the normal's length is fixed. So its three directions that have a variance.
+double normalisedError(const SegmentedPlane& found, const simulation::VisiblePlane& truth) {
+  Eigen::Vector4d error;
+  error << found.normal - truth.normal, found.d - truth.d;
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix4d> axes(found.covariance);
+  const Eigen::Vector4d along = axes.eigenvectors().transpose() * error;
+  return (along.tail<3>().array().square() / axes.eigenvalues().tail<3>().array()).sum();
+}
+
+const simulation::VisiblePlane& planeOf(const simulation::Rendering& rendering, std::uint16_t label) {
+  return *std::find_if(rendering.planes.begin(), rendering.planes.end(),
+                       [label](const auto& plane) { return plane.label == label; });
+}
+
+/// Of all planes that were found with an IoU of at least 0.8.
+void addErrors(const SimulatedFrame& frame, const Segmentation& segmentation, const RegionOverlaps& regions,
+               PlaneErrors& errors) {
+  for (const Overlap& overlap : regions.overlaps) {
+    const CountedRegion& truth = regions.truth[overlap.truth];
+    const CountedRegion& label = regions.labels[overlap.label];
+    const auto shared = static_cast<double>(overlap.pixels);
+    const double iou = shared / (static_cast<double>(truth.pixels + label.pixels) - shared);
+    if (truth.pixels < kSimulatedMinPixels || iou < 0.8) continue;
+    const SegmentedPlane& found = segmentation.planes[label.value - 1U];
+    const simulation::VisiblePlane& plane = planeOf(frame.rendering, truth.value);
+    const double sine = found.normal.cross(plane.normal).norm();
+    errors.angle.push_back(std::atan2(sine, found.normal.dot(plane.normal)) * 180.0 / M_PI);
+    errors.distance.push_back(std::abs(plane.normal.dot(found.centroid) + plane.d));
+    errors.nees.push_back(normalisedError(found, plane));
+  }
+}
+
+class SimulatedQuality : public testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    PlaneSegmenter segmenter;
+    frames().clear();
+    errors() = {};
+    forEachSimulatedFrame([&](const SimulatedFrame& frame) {
+      const Segmentation& segmentation =
+          segmenter.segment(viewOf(frame.depth.data(), frame.width(), frame.height()), frame.camera);
+      frames().push_back(
+          {frame.name, countOverlaps(frame.truth.data(), segmentation.labels.data(), frame.truth.size())});
+      addErrors(frame, segmentation, frames().back().regions, errors());
+    });
+  }
+
+  static std::vector<EvaluatedFrame>& frames() {
+    static std::vector<EvaluatedFrame> frames;
+    return frames;
+  }
+
+  static PlaneErrors& errors() {
+    static PlaneErrors errors;
+    return errors;
+  }
+};
+
+TEST_F(SimulatedQuality, ofRegions) {
+  expectAtLeast({0.61, 0.62, 0.65, 0.85, 0.91}, figuresOf(frames(), kSimulatedMinPixels));
+}
+
+TEST_F(SimulatedQuality, ofPlanes) {
+  const auto& [angle, distance, nees] = errors();
+  ASSERT_GT(angle.size(), 100U);
+  std::cout << angle.size() << " planes; angle: median " << quantile(angle, 0.5) << ", 95 % "
+            << quantile(angle, 0.95) << " degrees; distance: median " << 1000.0 * quantile(distance, 0.5)
+            << ", 95 % " << 1000.0 * quantile(distance, 0.95) << " mm" << std::endl;
+  EXPECT_LE(quantile(angle, 0.5), 0.1);
+  EXPECT_LE(quantile(angle, 0.95), 1.8);
+  EXPECT_LE(quantile(distance, 0.5), 0.0004);
+  EXPECT_LE(quantile(distance, 0.95), 0.0017);
+}
+
+TEST_F(SimulatedQuality, ofCovariances) {
+  const std::vector<double>& nees = errors().nees;
+  ASSERT_FALSE(nees.empty());
+  const auto within = std::count_if(nees.begin(), nees.end(), [](double n) { return n <= kChiSquared95; });
+  const double share = static_cast<double>(within) / static_cast<double>(nees.size());
+  std::cout << "normalised error squared: " << 100.0 * share << " % within the bound for 95 %, median "
+            << quantile(nees, 0.5) << " (chi-squared: " << kChiSquaredMedian << ")" << std::endl;
+  EXPECT_GE(share, 0.94);
+  EXPECT_GE(quantile(nees, 0.5), 0.9) << "the share is of no worth where every covariance is too large";
+}
+
+}  // namespace
+}  // namespace line_plane_segmentation
