@@ -14,8 +14,7 @@ namespace {
 
 using visualization_msgs::Marker;
 
-constexpr double kLineWidth = 0.02;   // [m]
-constexpr double kTextHeight = 0.12;  // [m]
+constexpr double kLineWidth = 0.02;  // [m]
 
 // The plane's own colour would not be seen on the cloud.
 constexpr float kWhitened = 0.6F;
@@ -71,6 +70,10 @@ double arrowLength(const SegmentedPlane& plane) {
   return std::min(std::max(0.3 * std::sqrt(plane.area), 0.05), 0.4);
 }
 
+double textHeight(const SegmentedPlane& plane) {
+  return std::min(std::max(0.3 * std::sqrt(plane.area), 0.03), 0.12);
+}
+
 Marker normalMarker(const SegmentedFrame& frame, const SegmentedPlane& plane, std::uint32_t id) {
   Marker marker = makeMarker(frame.header, "normals", id, Marker::ARROW);
   const double length = arrowLength(plane);
@@ -84,7 +87,7 @@ Marker normalMarker(const SegmentedFrame& frame, const SegmentedPlane& plane, st
 Marker textMarker(const SegmentedFrame& frame, const SegmentedPlane& plane, std::uint32_t id) {
   Marker marker = makeMarker(frame.header, "ids", id, Marker::TEXT_VIEW_FACING);
   marker.pose.position = pointOf((plane.centroid + 1.2 * arrowLength(plane) * plane.normal).eval());
-  marker.scale.z = kTextHeight;
+  marker.scale.z = textHeight(plane);
   char area[32];
   std::snprintf(area, sizeof area, "%.2f", plane.area);
   marker.text = std::to_string(id) + ": " + area + " m^2";

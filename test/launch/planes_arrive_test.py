@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""demo.launch: planes come without a camera."""
+"""Planes of the simulated camera's room come on the topic `planes`."""
 import math
 import threading
 import unittest
@@ -13,7 +13,7 @@ from line_plane_segmentation.msg import PlaneArray
 FRAMES = 30
 
 
-class DemoLaunchTest(unittest.TestCase):
+class PlanesArriveTest(unittest.TestCase):
     def test_planes_arrive(self):
         arrays = []
         enough = threading.Event()
@@ -23,7 +23,7 @@ class DemoLaunchTest(unittest.TestCase):
             if len(arrays) >= FRAMES:
                 enough.set()
 
-        subscriber = rospy.Subscriber("/camera/plane_segmenter/planes", PlaneArray, collect, queue_size=FRAMES)
+        subscriber = rospy.Subscriber("planes", PlaneArray, collect, queue_size=FRAMES)
         self.assertTrue(enough.wait(60), "%d frames of %d came" % (len(arrays), FRAMES))
         subscriber.unregister()
 
@@ -40,5 +40,5 @@ class DemoLaunchTest(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    rospy.init_node("demo_launch_test")
-    rostest.rosrun("line_plane_segmentation", "demo_launch", DemoLaunchTest)
+    rospy.init_node("planes_arrive_test")
+    rostest.rosrun("line_plane_segmentation", "planes_arrive", PlanesArriveTest)
