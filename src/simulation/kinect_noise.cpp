@@ -57,7 +57,7 @@ void markEdges(const Rendering& picture, int v, float jump, std::vector<std::uin
   // |1/z - 1/z'| > jump, without a division, and true if one of the two is 0.
   const auto differs = [jump](float z, float other) { return std::abs(z - other) > jump * z * other; };
   for (std::size_t u = 0; u < width; ++u) {
-    edges[u] = static_cast<std::uint8_t>(differs(row[u], above[u]) | differs(row[u], below[u]));
+    edges[u] = static_cast<std::uint8_t>(differs(row[u], above[u]) || differs(row[u], below[u]));
   }
   for (std::size_t u = 1; u < width; ++u) {
     const bool jumps = differs(row[u], row[u - 1]);
@@ -115,7 +115,7 @@ class AxialModel {
       const double rest = std::sqrt(std::max(sigma * sigma - step * step * (1.0 / 12.0), 0.0));
       const double noisy = std::max(depth + rest * normals[u], 0.5 * min_range_);
       const double measured = level_ > 0.0 ? level_ / roundPositive(level_ / noisy) : noisy;
-      const bool in_range = (depth > 0.0) & (measured >= min_range_) & (measured <= max_range_);
+      const bool in_range = depth > 0.0 && measured >= min_range_ && measured <= max_range_;
       mm[u] = static_cast<std::uint16_t>(static_cast<int>((in_range ? measured : 0.0) * 1000.0 + 0.5));
     }
   }

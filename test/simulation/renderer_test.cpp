@@ -55,11 +55,11 @@ void expectAsBruteForce(const Scene& scene, const Eigen::Isometry3d& camera, con
 }
 
 TEST(Renderer, SeesRoomsAsBruteForceDoes) {
-  for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+  for (std::uint64_t seed = 1; seed <= 4; ++seed) {
     const Room room = simulatedRoom(seed);
-    for (const double seconds : {0.0, 7.0, 31.0}) {
+    for (const double seconds : {0.0, 31.0}) {
       SCOPED_TRACE("room " + std::to_string(seed) + " at " + std::to_string(seconds) + " s");
-      expectAsBruteForce(room.scene, room.path.pose(seconds), kinectIntrinsics(160, 120), 160, 120);
+      expectAsBruteForce(room.scene, room.path.pose(seconds), kinectIntrinsics(96, 72), 96, 72);
     }
   }
 }
@@ -69,12 +69,12 @@ TEST(Renderer, SeesAsBruteForceFromAnywhere) {
   all.vault = all.door = all.step = all.shelf = all.leaning_board = all.ramp = all.column = all.person =
       all.ball = true;
   const Room room = simulatedRoom(8, all);
-  const CameraIntrinsics wide_and_skew{30.0, 41.0, 22.5, 60.25};
+  const CameraIntrinsics wide_and_skew{15.0, 20.5, 11.5, 30.25};
   for (int i = 0; i < 12; ++i) {
     SCOPED_TRACE(i);
     const Vector3d position(0.1 * i - 0.6, 0.4 + 0.3 * i, 0.3 + 0.13 * i);
     expectAsBruteForce(room.scene, lookingAlong(position, 0.55 * i, 0.25 * i - 1.5, 0.5 * i), wide_and_skew,
-                       90, 70);
+                       45, 35);
   }
 }
 
