@@ -15,8 +15,8 @@ struct CameraIntrinsics {
 
   /// True if points can be made with it: everything finite, both focal lengths positive.
   bool isValid() const {
-    return std::isfinite(fx) && std::isfinite(fy) && std::isfinite(cx) && std::isfinite(cy) &&
-           fx > 0.0 && fy > 0.0;
+    return std::isfinite(fx) && std::isfinite(fy) && std::isfinite(cx) && std::isfinite(cy) && fx > 0.0 &&
+           fy > 0.0;
   }
 };
 

@@ -13,9 +13,7 @@ enum class DepthType : std::uint8_t {
 };
 
 /// Size of one pixel [bytes].
-constexpr std::size_t bytesPerPixel(DepthType type) {
-  return type == DepthType::kUint16 ? 2 : 4;
-}
+constexpr std::size_t bytesPerPixel(DepthType type) { return type == DepthType::kUint16 ? 2 : 4; }
 
 /// A non-owning view of a depth image: depth along the optical axis, row by row, in memory that
 /// somebody else keeps alive. Rows may be padded and pixels need not be aligned.
@@ -24,12 +22,12 @@ constexpr std::size_t bytesPerPixel(DepthType type) {
 /// bytes; on the ROS side validate() is the one place that does.
 struct DepthView {
   const std::uint8_t* data = nullptr;
-  int width = 0;                          ///< [px]
-  int height = 0;                         ///< [px]
-  std::size_t step = 0;                   ///< [bytes] from one row to the next
+  int width = 0;         ///< [px]
+  int height = 0;        ///< [px]
+  std::size_t step = 0;  ///< [bytes] from one row to the next
   DepthType type = DepthType::kUint16;
-  float metres_per_unit = 0.001F;         ///< [m] depth of one unit of the stored number
-  bool swap_bytes = false;                ///< stored in the other byte order than this machine's
+  float metres_per_unit = 0.001F;  ///< [m] depth of one unit of the stored number
+  bool swap_bytes = false;         ///< stored in the other byte order than this machine's
 
   bool empty() const { return data == nullptr || width <= 0 || height <= 0; }
 };

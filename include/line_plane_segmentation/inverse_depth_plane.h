@@ -8,9 +8,9 @@
 
 namespace line_plane_segmentation {
 
-/// A plane as the camera sees it. Along the rays (x, y, 1) the inverse depth w = 1/z of a plane n . p + d = 0 is
-/// affine, w = a x + b y + c with (a, b, c) = -n / d: a straight line along every scanline. The inverse depth of a
-/// disparity sensor has, moreover, nearly the same noise near and far.
+/// A plane as the camera sees it. Along the rays (x, y, 1) the inverse depth w = 1/z of a plane n . p + d = 0
+/// is affine, w = a x + b y + c with (a, b, c) = -n / d: a straight line along every scanline. The inverse
+/// depth of a disparity sensor has, moreover, nearly the same noise near and far.
 struct InverseDepthPlane {
   double a = 0.0, b = 0.0, c = 0.0;  ///< [1/m]
 
@@ -20,8 +20,8 @@ struct InverseDepthPlane {
   double inverseDistance() const { return std::sqrt(a * a + b * b + c * c); }
 };
 
-/// How far a pixel may lie from its plane: along its ray by a multiple of the noise (Eq. 5), or across the plane by a
-/// distance, whichever is more.
+/// How far a pixel may lie from its plane: along its ray by a multiple of the noise (Eq. 5), or across the
+/// plane by a distance, whichever is more.
 struct DepthTolerance {
   NoiseParameters noise;
   double noise_factor = 0.0;  ///< [-] multiple of sigma_z
@@ -33,15 +33,16 @@ struct DepthTolerance {
     return noise_factor * (noise.floor * w * w + noise.growth * reach * reach);
   }
 
-  /// The tolerance [1/m] at inverse depth w on a plane. A point at the distance h from the plane n . p + d = 0 differs
-  /// from it by h w / d in inverse depth.
+  /// The tolerance [1/m] at inverse depth w on a plane. A point at the distance h from the plane n . p + d =
+  /// 0 differs from it by h w / d in inverse depth.
   double at(double w, double inverse_distance) const {
     return std::max(along(w), distance * w * inverse_distance);
   }
 };
 
-/// Weighted sums over pixels, from which a plane is fitted by linear regression of w on the ray, in constant time. The
-/// weight of a pixel is its tolerance to the power of -2, so that squared errors are in units of the tolerance.
+/// Weighted sums over pixels, from which a plane is fitted by linear regression of w on the ray, in constant
+/// time. The weight of a pixel is its tolerance to the power of -2, so that squared errors are in units of
+/// the tolerance.
 struct RegressionMoments {
   double xx = 0.0, xy = 0.0, yy = 0.0, x = 0.0, y = 0.0, one = 0.0;
   double xw = 0.0, yw = 0.0, w = 0.0, ww = 0.0;

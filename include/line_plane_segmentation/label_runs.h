@@ -21,7 +21,8 @@ struct LabelRun {
 /// A label image as runs, row by row, in each from the left; together they cover every pixel.
 struct LabelRuns {
   std::vector<LabelRun> runs;
-  std::vector<std::size_t> row_begin;  ///< index of each row's first run, and behind the last row the number of runs
+  std::vector<std::size_t>
+      row_begin;  ///< index of each row's first run, and behind the last row the number of runs
 
   /// Starts an empty image; its rows are then added from the top.
   void clear();
@@ -29,8 +30,8 @@ struct LabelRuns {
   /// Adds a row of `width` labels, at least one.
   void addRow(const std::uint16_t* labels, int width);
 
-  /// Joins A x A to A in the last row where x has a depth, is at most `max_pixels` wide, and `isLike(before, x, after)`
-  /// holds: noise, which would otherwise make most of the runs.
+  /// Joins A x A to A in the last row where x has a depth, is at most `max_pixels` wide, and `isLike(before,
+  /// x, after)` holds: noise, which would otherwise make most of the runs.
   template <typename Predicate>
   void joinOverSpeckles(int max_pixels, Predicate&& isLike);
 

@@ -16,8 +16,8 @@ struct LineSegment {
   int points = 0;    ///< valid pixels between the ends, both included
 
   /// Polar form in the 2-D scan (Eq. 1-3): Sx cos(alpha) + Sy sin(alpha) = r.
-  double alpha = 0.0;  ///< [rad]
-  double r = 0.0;      ///< [m], not negative
+  double alpha = 0.0;                                    ///< [rad]
+  double r = 0.0;                                        ///< [m], not negative
   Eigen::Matrix2d covariance = Eigen::Matrix2d::Zero();  ///< of (alpha, r), from the noise model (5)
 };
 

@@ -24,67 +24,89 @@ struct NoiseParameters {
 
 /// Which part of the depth image is scanned, and how densely. 0 means: from the image's width.
 struct ScanlineParameters {
-  double min_range = 0.3;    ///< [m] nearer depths count as missing
-  double max_range = 10.0;   ///< [m] farther depths count as missing
-  int scanline_spacing = 0;  ///< [px] between scanlines; paper: 30 (VGA), 20 (QVGA). Higher -> faster, misses small planes
+  double min_range = 0.3;   ///< [m] nearer depths count as missing
+  double max_range = 10.0;  ///< [m] farther depths count as missing
+  int scanline_spacing =
+      0;  ///< [px] between scanlines; paper: 30 (VGA), 20 (QVGA). Higher -> faster, misses small planes
 };
 
 /// Line regression, Algorithm 1. 0 means: from the image's width.
 ///
-/// The paper leaves the bound of the fidelity open. It was calibrated on simulated scans with the noise of Eq. 5, drawn
-/// for each pixel alone, at 0.8 to 2.5 m (test/core/line_fidelity_test.cpp). With 4, of the windows on a plane 93 to 84 %
-/// pass at VGA and 82 to 76 % at QVGA, and segments cover 98 to 90 % and 94 to 87 % of it; segments run over no step of
-/// 10 cm and no crease of 90 degrees, over 5 % of the creases of 60 degrees at most, and over a quarter of those of 30.
-/// With 3 more of a far plane is lost (15 to 20 %), with 6 half of the creases of 30 degrees. A real sensor's noise
-/// differs less from pixel to pixel, so that more passes.
+/// The paper leaves the bound of the fidelity open. It was calibrated on simulated scans with the noise of
+/// Eq. 5, drawn for each pixel alone, at 0.8 to 2.5 m (test/core/line_fidelity_test.cpp). With 4, of the
+/// windows on a plane 93 to 84 % pass at VGA and 82 to 76 % at QVGA, and segments cover 98 to 90 % and 94 to
+/// 87 % of it; segments run over no step of 10 cm and no crease of 90 degrees, over 5 % of the creases of 60
+/// degrees at most, and over a quarter of those of 30. With 3 more of a far plane is lost (15 to 20 %), with
+/// 6 half of the creases of 30 degrees. A real sensor's noise differs less from pixel to pixel, so that more
+/// passes.
 struct LineParameters {
-  int line_window = 0;  ///< [px] points of a fit, Nf; paper: 11 (VGA), 7 (QVGA). Higher -> smoother, blind to short pieces
-  int min_line_points = 0;  ///< [px] shortest segment, Nl; paper: 30 (VGA), 23 (QVGA). Higher -> fewer, surer candidates
-  double line_fidelity = 4.0;  ///< [-] bound of the Mahalanobis distances of three adjacent windows. Higher -> bent pieces pass as straight
-  double line_noise_factor = 1.0;  ///< [-] noise along the scan as a multiple of Eq. 5. Higher -> coarser quantisation tolerated
+  int line_window =
+      0;  ///< [px] points of a fit, Nf; paper: 11 (VGA), 7 (QVGA). Higher -> smoother, blind to short pieces
+  int min_line_points =
+      0;  ///< [px] shortest segment, Nl; paper: 30 (VGA), 23 (QVGA). Higher -> fewer, surer candidates
+  double line_fidelity = 4.0;  ///< [-] bound of the Mahalanobis distances of three adjacent windows. Higher
+                               ///< -> bent pieces pass as straight
+  double line_noise_factor =
+      1.0;  ///< [-] noise along the scan as a multiple of Eq. 5. Higher -> coarser quantisation tolerated
 };
 
 /// Candidates by principal component analysis. 0 means: from the image's width.
 struct CandidateParameters {
-  int points_per_segment = 1;  ///< [-] 1, 3 or 5 candidates for each segment. Higher -> slower, finds more small planes
-  int normal_window = 0;  ///< [px] side of the window of the PCA; paper: 20. Higher -> steadier normals, fewer near edges
-  int min_window_points = 0;  ///< [px] valid points that it needs, Ns; paper: 240. Higher -> no candidate near holes
-  double max_curvature = 0.05;  ///< [-] smallest eigenvalue over the sum. Higher -> rougher places may start a plane
+  int points_per_segment =
+      1;  ///< [-] 1, 3 or 5 candidates for each segment. Higher -> slower, finds more small planes
+  int normal_window =
+      0;  ///< [px] side of the window of the PCA; paper: 20. Higher -> steadier normals, fewer near edges
+  int min_window_points =
+      0;  ///< [px] valid points that it needs, Ns; paper: 240. Higher -> no candidate near holes
+  double max_curvature =
+      0.05;  ///< [-] smallest eigenvalue over the sum. Higher -> rougher places may start a plane
 };
 
 /// Recursive extraction, Algorithm 2. 0 means: from the image's width.
 struct ExtractionParameters {
-  double plane_distance = 0.02;  ///< [m] a point's distance to its plane, delta_d. Higher -> thicker planes, that swallow their neighbours
-  double neighbor_distance = 0.03;  ///< [m] between neighbours of one plane, delta_n. Higher -> bridges gaps and steps
-  double distance_noise_factor = 4.5;  ///< [-] method adaptive: both distances are at least so many sigma_z (Eq. 5). Higher -> far planes stay whole
-  int min_plane_inliers = 0;  ///< [px] smallest plane, N; paper: 5000 (VGA), 1000 (QVGA). Higher -> only large planes
+  double plane_distance = 0.02;  ///< [m] a point's distance to its plane, delta_d. Higher -> thicker planes,
+                                 ///< that swallow their neighbours
+  double neighbor_distance =
+      0.03;  ///< [m] between neighbours of one plane, delta_n. Higher -> bridges gaps and steps
+  double distance_noise_factor = 4.5;  ///< [-] method adaptive: both distances are at least so many sigma_z
+                                       ///< (Eq. 5). Higher -> far planes stay whole
+  int min_plane_inliers =
+      0;  ///< [px] smallest plane, N; paper: 5000 (VGA), 1000 (QVGA). Higher -> only large planes
   double min_plane_area = 0.0;  ///< [m²] smallest plane; 0 = no such limit. Higher -> only large planes
 };
 
 /// Method adaptive: the local planes at the crossings of the scanlines.
 struct PatchParameters {
-  double patch_noise_factor = 1.6;  ///< [-] tolerance of a patch, and unit of merge costs, as a multiple of sigma_z. Higher -> coarser sensors, blunter edges
-  double patch_distance = 0.004;  ///< [m] least tolerance across the plane. Higher -> nearby surfaces may be rougher
-  double patch_flatness = 1.2;  ///< [-] largest mean squared error of a patch, in tolerances squared. Higher -> rough and curved surfaces count as planes
+  double patch_noise_factor = 1.6;  ///< [-] tolerance of a patch, and unit of merge costs, as a multiple of
+                                    ///< sigma_z. Higher -> coarser sensors, blunter edges
+  double patch_distance =
+      0.004;  ///< [m] least tolerance across the plane. Higher -> nearby surfaces may be rougher
+  double patch_flatness = 1.2;  ///< [-] largest mean squared error of a patch, in tolerances squared. Higher
+                                ///< -> rough and curved surfaces count as planes
 };
 
 /// Method adaptive: which patches make one plane.
 struct ClusterParameters {
-  double merge_cost = 8.0;  ///< [-] neighbours merge if that moves neither by more, in tolerances squared. Higher -> fewer, larger planes over blunt edges
-  double coplanar_cost = 4.0;  ///< [-] the same for planes apart, with an object before the gap; 0 = never. Higher -> more is joined across gaps
-  double max_curvedness = 1.5;  ///< [-] largest mean squared error of a small plane, in tolerances squared. Higher -> pieces of curved things, as people, count as planes
-  int min_patches = 4;  ///< [-] smallest plane in patches. Higher -> only large planes
+  double merge_cost = 8.0;     ///< [-] neighbours merge if that moves neither by more, in tolerances squared.
+                               ///< Higher -> fewer, larger planes over blunt edges
+  double coplanar_cost = 4.0;  ///< [-] the same for planes apart, with an object before the gap; 0 = never.
+                               ///< Higher -> more is joined across gaps
+  double max_curvedness = 1.5;  ///< [-] largest mean squared error of a small plane, in tolerances squared.
+                                ///< Higher -> pieces of curved things, as people, count as planes
+  int min_patches = 4;          ///< [-] smallest plane in patches. Higher -> only large planes
 };
 
 /// Method adaptive: tidying the label image. 0 means: from the image's width.
 struct CleanupParameters {
-  int min_region_pixels = 0;  ///< [px] smaller pieces and holes go to what surrounds them. Higher -> smoother regions
+  int min_region_pixels =
+      0;  ///< [px] smaller pieces and holes go to what surrounds them. Higher -> smoother regions
 };
 
 /// Outline polygons.
 struct OutlineParameters {
   bool trace_outlines = true;  ///< polygons of the planes; off -> faster, empty outlines
-  double outline_tolerance = 2.0;  ///< [px] largest distance of the border to its polygon. Higher -> fewer vertices
+  double outline_tolerance =
+      2.0;  ///< [px] largest distance of the border to its polygon. Higher -> fewer vertices
   int min_hole_pixels = 100;  ///< [px] smaller holes are closed. Higher -> simpler polygons
 };
 

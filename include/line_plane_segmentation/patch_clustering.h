@@ -15,16 +15,17 @@ struct PatchCluster {
   int patches = 0;
 };
 
-/// Stage 4 of the adaptive method, first half: which planes there are. Clusters of patches grow by merging, those that
-/// cost least first. Merging two clusters costs the squared error that one common plane adds, for each pixel of the
-/// smaller one: how far, in tolerances, the smaller cluster is moved off its own plane.
+/// Stage 4 of the adaptive method, first half: which planes there are. Clusters of patches grow by merging,
+/// those that cost least first. Merging two clusters costs the squared error that one common plane adds, for
+/// each pixel of the smaller one: how far, in tolerances, the smaller cluster is moved off its own plane.
 class PatchClusterer {
  public:
-  /// Merges neighbours in the grid, then clusters apart that are coplanar and have only nearer things between them: a
-  /// table cut apart by what stands on it, but not two surfaces with open space between.
+  /// Merges neighbours in the grid, then clusters apart that are coplanar and have only nearer things between
+  /// them: a table cut apart by what stands on it, but not two surfaces with open space between.
   /// @param cluster_of  for each patch its index in `clusters`, or -1
-  void cluster(const DepthImage& depth, const ViewRays& rays, const PatchGrid& grid, const Parameters& parameters,
-               std::vector<PatchCluster>& clusters, std::vector<int>& cluster_of);
+  void cluster(const DepthImage& depth, const ViewRays& rays, const PatchGrid& grid,
+               const Parameters& parameters, std::vector<PatchCluster>& clusters,
+               std::vector<int>& cluster_of);
 
  private:
   /// Two patches of clusters that may merge.

@@ -9,9 +9,9 @@
 
 namespace line_plane_segmentation {
 
-/// Stage 4 of the adaptive method, second half: which pixels are in which plane. A pixel goes to the plane that it
-/// fits best of those with a patch nearby, if it lies within the tolerance; so at the meeting of two planes the line
-/// where both fit alike parts them, and no plane reaches into a surface far from its patches.
+/// Stage 4 of the adaptive method, second half: which pixels are in which plane. A pixel goes to the plane
+/// that it fits best of those with a patch nearby, if it lies within the tolerance; so at the meeting of two
+/// planes the line where both fit alike parts them, and no plane reaches into a surface far from its patches.
 class PixelAssigner {
  public:
   /// @param image  k + 1 for cluster k, 0 for no plane, kNoDepthLabel for no depth

@@ -9,17 +9,18 @@ namespace line_plane_segmentation {
 
 /// The coefficients of a plane and how sure they are.
 struct PlaneEstimate {
-  Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();    ///< unit, toward the camera
-  double d = 0.0;                                       ///< [m] normal . p + d = 0, positive
+  Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();     ///< unit, toward the camera
+  double d = 0.0;                                        ///< [m] normal . p + d = 0, positive
   Eigen::Matrix4d covariance = Eigen::Matrix4d::Zero();  ///< of (normal, d)
 };
 
-/// The plane of a cluster of patches. Its regression weighs every pixel by the sensor's noise there, and knows only
-/// pixels of straight windows, none of the borders where surfaces run into each other: a surer estimate than a fit to
-/// all pixels with the plane's label.
+/// The plane of a cluster of patches. Its regression weighs every pixel by the sensor's noise there, and
+/// knows only pixels of straight windows, none of the borders where surfaces run into each other: a surer
+/// estimate than a fit to all pixels with the plane's label.
 ///
-/// The covariance is that of the regression, from what the pixels deviate, times a factor for errors that pixels have
-/// in common: each is counted in up to two windows, and the steps of the disparity move neighbours alike.
+/// The covariance is that of the regression, from what the pixels deviate, times a factor for errors that
+/// pixels have in common: each is counted in up to two windows, and the steps of the disparity move
+/// neighbours alike.
 PlaneEstimate estimatePlane(const PatchCluster& cluster);
 
 }  // namespace line_plane_segmentation

@@ -11,14 +11,14 @@
 
 namespace line_plane_segmentation {
 
-/// Stage 4, Algorithm 2: takes the candidate with the most inliers, deletes these, and so on, until no candidate has
-/// enough. Inliers of a candidate are the pixels that are not yet taken, lie nearer than plane_distance to its plane,
-/// and can be reached from the candidate's pixel over such pixels, side by side or one above the other, each nearer
-/// than neighbor_distance to the next.
+/// Stage 4, Algorithm 2: takes the candidate with the most inliers, deletes these, and so on, until no
+/// candidate has enough. Inliers of a candidate are the pixels that are not yet taken, lie nearer than
+/// plane_distance to its plane, and can be reached from the candidate's pixel over such pixels, side by side
+/// or one above the other, each nearer than neighbor_distance to the next.
 ///
-/// The result is that of counting every candidate anew in each round, as the paper has it; but since counts only
-/// fall, a candidate is counted only when its last count, or a bound from tiles of the image, tops all others (lazy
-/// greedy evaluation). Of candidates with equal counts the first one goes first.
+/// The result is that of counting every candidate anew in each round, as the paper has it; but since counts
+/// only fall, a candidate is counted only when its last count, or a bound from tiles of the image, tops all
+/// others (lazy greedy evaluation). Of candidates with equal counts the first one goes first.
 class PlaneExtractor {
  public:
   PlaneExtractor();

@@ -12,17 +12,19 @@
 
 namespace line_plane_segmentation {
 
-/// Measures the planes of a label image from the pixels of every label: fills in all that a SegmentedPlane tells but its outline.
+/// Measures the planes of a label image from the pixels of every label: fills in all that a SegmentedPlane
+/// tells but its outline.
 ///
-/// Labels whose pixels span no plane, or less than the smallest area, are taken back to 0, and the labels above them
-/// move down.
+/// Labels whose pixels span no plane, or less than the smallest area, are taken back to 0, and the labels
+/// above them move down.
 class PlaneMeasurement {
  public:
   /// @param label_count   labels 1 to label_count are measured
   /// @param min_area      [m²]
   /// @param image         relabelled where a label goes
   /// @param segmentation  its planes and the number of its assigned pixels are filled in
-  /// @param estimates     the coefficients of label k are estimates[k - 1]; if there are none, each is fitted by PCA to
+  /// @param estimates     the coefficients of label k are estimates[k - 1]; if there are none, each is fitted
+  /// by PCA to
   ///                      all of its pixels, as the paper has it
   void measure(const DepthImage& depth, const ViewRays& rays, const CameraIntrinsics& camera, int label_count,
                double min_area, LabelRuns& image, Segmentation& segmentation,

@@ -11,9 +11,10 @@
 
 namespace line_plane_segmentation {
 
-/// Refinement: tidies a label image. A connected piece of fewer than min_region_pixels, of a plane or of none, becomes
-/// part of what most of its border touches, so that noise leaves no speckles and no pinholes, unless it lies off that
-/// plane; then planes that are too small go, and the rest are numbered from 1, the largest first.
+/// Refinement: tidies a label image. A connected piece of fewer than min_region_pixels, of a plane or of
+/// none, becomes part of what most of its border touches, so that noise leaves no speckles and no pinholes,
+/// unless it lies off that plane; then planes that are too small go, and the rest are numbered from 1, the
+/// largest first.
 class RegionCleaner {
  public:
   /// @param image  its labels are k + 1 for cluster k, 0 for no plane, and kNoDepthLabel

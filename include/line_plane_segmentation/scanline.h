@@ -30,7 +30,7 @@ int scanlineCount(int pixels, int spacing);
 
 /// Projects a row or column, Eq. 1-3. For a row, Sy = Px and Sx = k Pz with k = sqrt(((v - cy) / fy)^2 + 1);
 /// for a column x and y change places.
-void projectScanline(const DepthImage& depth, const CameraIntrinsics& camera, ScanDirection direction, int index,
-                     Scanline& scanline);
+void projectScanline(const DepthImage& depth, const CameraIntrinsics& camera, ScanDirection direction,
+                     int index, Scanline& scanline);
 
 }  // namespace line_plane_segmentation

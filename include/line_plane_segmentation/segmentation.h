@@ -17,8 +17,8 @@ struct Ring {
 /// the package's message has that name in this namespace, and programs include both.
 struct SegmentedPlane {
   std::uint16_t label = 0;  ///< the value of its pixels in Segmentation::labels, from 1
-  Eigen::Vector3d normal = Eigen::Vector3d::Zero();  ///< unit, toward the camera
-  double d = 0.0;                                    ///< [m] distance to the camera, not negative
+  Eigen::Vector3d normal = Eigen::Vector3d::Zero();    ///< unit, toward the camera
+  double d = 0.0;                                      ///< [m] distance to the camera, not negative
   Eigen::Vector3d centroid = Eigen::Vector3d::Zero();  ///< [m] mean of its points
   /// Covariance of (nx, ny, nz, d) as the noise of the points makes it; singular along the normal,
   /// whose length is fixed.
@@ -37,9 +37,9 @@ struct SegmentedPlane {
 
 /// What one depth image was cut into. Owned and reused by the segmenter.
 struct Segmentation {
-  int width = 0;   ///< [px]
-  int height = 0;  ///< [px]
-  std::vector<std::uint16_t> labels;  ///< width * height, row by row; 0 = no plane
+  int width = 0;                       ///< [px]
+  int height = 0;                      ///< [px]
+  std::vector<std::uint16_t> labels;   ///< width * height, row by row; 0 = no plane
   std::vector<SegmentedPlane> planes;  ///< planes[k - 1] has label k
   std::vector<Ring> rings;
   std::vector<Eigen::Vector3f> vertices;  ///< [m] on the planes, in the optical frame

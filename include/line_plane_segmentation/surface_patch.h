@@ -11,8 +11,8 @@
 
 namespace line_plane_segmentation {
 
-/// The local plane where a row and a column cross, held up by two straight line primitives: the windows of the two
-/// scanlines around the crossing.
+/// The local plane where a row and a column cross, held up by two straight line primitives: the windows of
+/// the two scanlines around the crossing.
 struct SurfacePatch {
   bool is_planar = false;  ///< both windows are straight and lie in one plane; if not, nothing below is set
   RegressionMoments moments;
@@ -31,15 +31,16 @@ struct PatchGrid {
   int indexOf(int column, int row) const { return row * columns + column; }
 };
 
-/// Stages 1 to 3 of the adaptive method. A window of a scanline is fitted by linear regression in inverse depth, where
-/// the scan of a plane is a straight line too, in constant time from running sums.
+/// Stages 1 to 3 of the adaptive method. A window of a scanline is fitted by linear regression in inverse
+/// depth, where the scan of a plane is a straight line too, in constant time from running sums.
 class PatchDetector {
  public:
   /// @param parameters  resolved for the width of the image
   void detect(const DepthImage& depth, const ViewRays& rays, const Parameters& parameters, PatchGrid& grid);
 
  private:
-  /// Sums over the pixels of a scanline that have a depth: of their number, ray coordinate t and inverse depth w.
+  /// Sums over the pixels of a scanline that have a depth: of their number, ray coordinate t and inverse
+  /// depth w.
   struct LineSums {
     double n = 0.0, t = 0.0, tt = 0.0, w = 0.0, tw = 0.0, ww = 0.0;
 
@@ -59,8 +60,8 @@ class PatchDetector {
   std::vector<LineSums> column_windows_;  // of every patch
 };
 
-/// The patches as line segments (neighbours along a scanline whose lines go on from one to the next) and plane
-/// candidates, for whoever wants to see what the method sees.
+/// The patches as line segments (neighbours along a scanline whose lines go on from one to the next) and
+/// plane candidates, for whoever wants to see what the method sees.
 void describePatches(const PatchGrid& grid, const ViewRays& rays, const Parameters& parameters,
                      std::vector<LineSegment>& segments, std::vector<PlaneCandidate>& candidates);
 

@@ -8,7 +8,8 @@
 namespace line_plane_segmentation {
 namespace {
 
-// The valid pixel of the segment nearest to `position` along it, towards its first point: a segment starts with one.
+// The valid pixel of the segment nearest to `position` along it, towards its first point: a segment starts
+// with one.
 int validPixelAtOrBefore(const DepthImage& depth, const LineSegment& segment, int position) {
   const bool is_row = segment.direction == ScanDirection::kRow;
   int pixel = position;
@@ -26,8 +27,8 @@ PointMoments momentsIn(const PixelWindow& window, const DepthImage& depth, const
     for (int u = window.first_u; u < window.last_u; ++u) {
       if (z[u] == 0.0F) continue;
       const double depth_here = z[u];
-      moments.add({depth_here * rays.x[static_cast<std::size_t>(u)], depth_here * rays.y[static_cast<std::size_t>(v)],
-                   depth_here});
+      moments.add({depth_here * rays.x[static_cast<std::size_t>(u)],
+                   depth_here * rays.y[static_cast<std::size_t>(v)], depth_here});
     }
   }
   return moments;

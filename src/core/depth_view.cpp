@@ -3,8 +3,8 @@
 
 #include <cstring>
 
-#include "multiversion.h"
 #include <limits>
+#include "multiversion.h"
 
 namespace line_plane_segmentation {
 namespace {
@@ -26,7 +26,8 @@ inline float depthInRange(float z, const DepthRange& range) {
 
 // Pixels may lie at any address, so they are loaded with memcpy, which compiles to a plain load.
 template <typename Stored, typename Bits, bool kSwap>
-void load(const std::uint8_t* first, std::size_t stride, int count, float scale, const DepthRange& range, float* depth) {
+void load(const std::uint8_t* first, std::size_t stride, int count, float scale, const DepthRange& range,
+          float* depth) {
   for (int i = 0; i < count; ++i) {
     Bits bits;
     std::memcpy(&bits, first + static_cast<std::size_t>(i) * stride, sizeof bits);
@@ -49,13 +50,15 @@ void loadPackedUint16(const std::uint8_t* __restrict first, int count, float sca
   }
 }
 
-void load(const DepthView& view, const std::uint8_t* first, std::size_t stride, int count, DepthRange range, float* depth) {
+void load(const DepthView& view, const std::uint8_t* first, std::size_t stride, int count, DepthRange range,
+          float* depth) {
   const float scale = view.metres_per_unit;
   // Denormal numbers are no depths either, and a NaN bound is none.
   constexpr float kSmallest = std::numeric_limits<float>::min();
   if (!(range.min >= kSmallest)) range.min = kSmallest;
   if (view.type == DepthType::kUint16) {
-    if (view.swap_bytes) return load<std::uint16_t, std::uint16_t, true>(first, stride, count, scale, range, depth);
+    if (view.swap_bytes)
+      return load<std::uint16_t, std::uint16_t, true>(first, stride, count, scale, range, depth);
     if (stride == 2) return loadPackedUint16(first, count, scale, range, depth);
     return load<std::uint16_t, std::uint16_t, false>(first, stride, count, scale, range, depth);
   }
@@ -87,11 +90,13 @@ DepthView viewOf(const float* pixels, int width, int height, float metres_per_un
 }
 
 void loadRow(const DepthView& view, int v, const DepthRange& range, float* depth) {
-  load(view, view.data + static_cast<std::size_t>(v) * view.step, bytesPerPixel(view.type), view.width, range, depth);
+  load(view, view.data + static_cast<std::size_t>(v) * view.step, bytesPerPixel(view.type), view.width, range,
+       depth);
 }
 
 void loadColumn(const DepthView& view, int u, const DepthRange& range, float* depth) {
-  load(view, view.data + static_cast<std::size_t>(u) * bytesPerPixel(view.type), view.step, view.height, range, depth);
+  load(view, view.data + static_cast<std::size_t>(u) * bytesPerPixel(view.type), view.step, view.height,
+       range, depth);
 }
 
 }  // namespace line_plane_segmentation

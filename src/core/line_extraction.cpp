@@ -11,7 +11,8 @@ namespace {
 
 constexpr double kPi = 3.14159265358979323846;
 
-// Two segments that overlap are one line if (alpha, r) agree: the 95 % bound of chi² with two degrees of freedom.
+// Two segments that overlap are one line if (alpha, r) agree: the 95 % bound of chi² with two degrees of
+// freedom.
 constexpr double kSameLine = 5.99;
 
 double wrapAngle(double angle) {
@@ -28,9 +29,10 @@ Eigen::Matrix2d covarianceOf(const LineFit& line) {
   return covariance / determinant;
 }
 
-// How a line lies to another one, seen from the middle of the other one's points. Their (alpha, r) about the camera are
-// not to be compared: a metre away, a turn by the 0.1 rad that noise gives a window moves r by five millimetres, ten
-// times what its covariance, a linear thing, allows. Near the points there is no such lever.
+// How a line lies to another one, seen from the middle of the other one's points. Their (alpha, r) about the
+// camera are not to be compared: a metre away, a turn by the 0.1 rad that noise gives a window moves r by
+// five millimetres, ten times what its covariance, a linear thing, allows. Near the points there is no such
+// lever.
 struct RelativeLine {
   double alpha, r;  // turn, and distance from that middle
   double t;         // place of that middle along this line
@@ -86,8 +88,8 @@ LineFit fitLine(const ScanPoint* points, int count, const NoiseParameters& noise
   const double cosine = std::cos(line.alpha), sine = std::sin(line.alpha);
   line.r = x_mean * cosine + y_mean * sine;
 
-  // A residual is e = Sx cos(alpha) + Sy sin(alpha) - r; its derivatives are t (the position along the line) and -1.
-  // A point moves by sigma_z along its ray, and so by sigma_z * r / z across the line.
+  // A residual is e = Sx cos(alpha) + Sy sin(alpha) - r; its derivatives are t (the position along the line)
+  // and -1. A point moves by sigma_z along its ray, and so by sigma_z * r / z across the line.
   double t_mean = y_mean * cosine - x_mean * sine;
   const double t_scatter = xx * sine * sine - 2.0 * xy * sine * cosine + yy * cosine * cosine;
   if (line.r < 0.0) {
@@ -110,7 +112,8 @@ double mahalanobis(const LineFit& line, const LineFit& other) {
   return information_alpha * relative.alpha * relative.alpha + line.information_rr * relative.r * relative.r;
 }
 
-const std::vector<double>& LineExtractor::fidelity(const ScanPoint* points, int count, const NoiseParameters& noise,
+const std::vector<double>& LineExtractor::fidelity(const ScanPoint* points, int count,
+                                                   const NoiseParameters& noise,
                                                    const LineParameters& parameters) {
   const int window_count = count - parameters.line_window + 1;
   fidelity_.clear();
@@ -143,7 +146,8 @@ void LineExtractor::extractPiece(const Scanline& scanline, int first, int last, 
     const int run_first = i;
     while (i < window_count && fidelity_[static_cast<std::size_t>(i)] < parameters.line_fidelity) ++i;
     Range range{first + run_first, first + i - 1 + parameters.line_window - 1, {}};
-    range.line = fitLine(points + range.first, range.last - range.first + 1, noise, parameters.line_noise_factor);
+    range.line =
+        fitLine(points + range.first, range.last - range.first + 1, noise, parameters.line_noise_factor);
 
     if (ranges_.size() > ranges_before) {
       Range& previous = ranges_.back();
@@ -158,8 +162,8 @@ void LineExtractor::extractPiece(const Scanline& scanline, int first, int last, 
   }
 }
 
-void LineExtractor::extract(const Scanline& scanline, const NoiseParameters& noise, const LineParameters& parameters,
-                            std::vector<LineSegment>& segments) {
+void LineExtractor::extract(const Scanline& scanline, const NoiseParameters& noise,
+                            const LineParameters& parameters, std::vector<LineSegment>& segments) {
   ranges_.clear();
   const int count = static_cast<int>(scanline.points.size());
   for (int first = 0, i = 1; i <= count; ++i) {
@@ -186,8 +190,8 @@ void LineExtractor::extract(const Scanline& scanline, const NoiseParameters& noi
   }
 }
 
-void LineExtractor::extract(const DepthImage& depth, const CameraIntrinsics& camera, const Parameters& parameters,
-                            std::vector<LineSegment>& segments) {
+void LineExtractor::extract(const DepthImage& depth, const CameraIntrinsics& camera,
+                            const Parameters& parameters, std::vector<LineSegment>& segments) {
   segments.clear();
   const int spacing = parameters.scanlines.scanline_spacing;
   for (const ScanDirection direction : {ScanDirection::kRow, ScanDirection::kColumn}) {

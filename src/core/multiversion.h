@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-// Before a function of plain loops: compiled for several generations of x86-64, the fastest that the machine has is
-// taken at run time. Elsewhere, and under sanitizers (which cannot run inside the choice), it is compiled once.
+// Before a function of plain loops: compiled for several generations of x86-64, the fastest that the machine
+// has is taken at run time. Elsewhere, and under sanitizers (which cannot run inside the choice), it is
+// compiled once.
 #if defined(__x86_64__) && defined(__linux__) && defined(__GNUC__) && !defined(__clang__) && \
     !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__) && !defined(LPS_SCALAR_ONLY)
 #define LPS_MULTIVERSION __attribute__((target_clones("arch=skylake-avx512", "avx2", "default")))

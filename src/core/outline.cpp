@@ -47,7 +47,7 @@ void OutlineTracer::Scratch::addRings(const Border* begin, const Border* end,
         {static_cast<int>(first), static_cast<int>(segmentation.vertices.size() - first)});
     ++(b->area > 0 ? plane.outer_ring_count : plane.hole_count);
   }
-  for (const Border* b = begin; b != end; ++b) simplifier.remove(corners + b->first, b->count);
+  for (const Border* b = begin; b != end; ++b) simplifier.forget(corners + b->first, b->count);
   if (finite) return;
   segmentation.rings.resize(first_ring);
   segmentation.vertices.resize(first_vertex);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 namespace line_plane_segmentation {
 namespace {
@@ -59,10 +60,40 @@ Deviation deviationOf(const Corner* corners, std::size_t first, std::size_t last
   return deviation;
 }
 
-/// Cross products with a chord within which points are too near it.
+/// Cross product with a chord up to which points are too near it.
 double clearanceOf(Corner along) {
   return kClearance * static_cast<double>(std::abs(along.x) + std::abs(along.y));
 }
+
+/// All points whose cross product with a chord lies between two bounds, and those near to them.
+class Strip {
+ public:
+  Strip(Corner from, Corner along, std::int64_t min_cross, std::int64_t max_cross)
+      : from_(from),
+        along_(along),
+        lowest_(static_cast<double>(min_cross) - clearanceOf(along)),
+        highest_(static_cast<double>(max_cross) + clearanceOf(along)) {
+    if (along.y != 0) columns_per_cross_ = 1.0 / along.y;
+  }
+
+  /// Narrows the columns left to right, both included, to those of row y in the strip. False if none is.
+  bool clipRow(int y, int& left, int& right) const {
+    // The cross product of (x, y) is offset - along.y (x - from.x).
+    const double offset = static_cast<double>(along_.x) * (y - from_.y);
+    if (along_.y == 0) return lowest_ <= offset && offset <= highest_;
+    double first = from_.x + (offset - lowest_) * columns_per_cross_;
+    double last = from_.x + (offset - highest_) * columns_per_cross_;
+    if (first > last) std::swap(first, last);
+    if (last < left || first > right) return false;
+    if (first > left) left = static_cast<int>(first) + 1;
+    if (last < right) right = static_cast<int>(last);
+    return left <= right;
+  }
+
+ private:
+  Corner from_, along_;
+  double lowest_, highest_, columns_per_cross_ = 0.0;
+};
 
 }  // namespace
 
@@ -99,7 +130,7 @@ void BorderSimplifier::add(const Corner* corners, std::size_t count) {
   for (std::size_t i = 0; i < count; ++i) pass(corners[i]);
 }
 
-void BorderSimplifier::remove(const Corner* corners, std::size_t count) {
+void BorderSimplifier::forget(const Corner* corners, std::size_t count) {
   for (std::size_t i = 0; i < count; ++i) {
     const std::size_t word = wordOf(corners[i].x, corners[i].y);
     once_[word] = twice_[word] = 0;
@@ -171,36 +202,20 @@ bool BorderSimplifier::pullStraight(const Corner* corners, const Piece& piece, s
   return free;
 }
 
-/// Looks at all corners in the strip along the chord and the box that hold the piece, its own being taken
-/// out.
+/// Looks at all corners in the strip along the chord and the box that hold the piece, its own taken out.
 bool BorderSimplifier::sweepsFree(const Corner* corners, const Piece& piece, std::int64_t min_cross,
                                   std::int64_t max_cross) const {
   const Corner from = corners[piece.first];
-  const Corner along = corners[piece.last] - from;
   Corner low = from, high = from;
   for (std::size_t i = piece.first + 1; i <= piece.last; ++i) {
     low = {std::min(low.x, corners[i].x), std::min(low.y, corners[i].y)};
     high = {std::max(high.x, corners[i].x), std::max(high.y, corners[i].y)};
   }
-  const double clearance = clearanceOf(along), per_row = 1.0 / along.y;
-  const double lowest = static_cast<double>(min_cross) - clearance;
-  const double highest = static_cast<double>(max_cross) + clearance;
-
+  const Strip strip(from, corners[piece.last] - from, min_cross, max_cross);
   int others = 0;
   for (int y = low.y; y <= high.y; ++y) {
     int left = low.x, right = high.x;
-    const double offset = static_cast<double>(along.x) * (y - from.y);
-    if (along.y == 0) {
-      if (offset < lowest || offset > highest) continue;
-    } else {
-      // Where the cross product, offset - along.y (x - from.x), is at its bounds.
-      double a = from.x + (offset - lowest) * per_row, b = from.x + (offset - highest) * per_row;
-      if (a > b) std::swap(a, b);
-      if (b < left || a > right) continue;
-      if (a > left) left = static_cast<int>(a) + 1;
-      if (b < right) right = static_cast<int>(b);
-    }
-    if (left > right) continue;
+    if (!strip.clipRow(y, left, right)) continue;
     const std::size_t first_word = wordOf(left, y), last_word = wordOf(right, y);
     for (std::size_t word = first_word; word <= last_word; ++word) {
       std::uint64_t bits = once_[word];
@@ -215,8 +230,7 @@ bool BorderSimplifier::sweepsFree(const Corner* corners, const Piece& piece, std
   return true;
 }
 
-/// Whether a corner that is passed by another piece is nearly on the chord, or enclosed by the piece and its
-/// chord.
+/// Whether a corner of another piece is nearly on the chord, or enclosed by the piece and its chord.
 bool BorderSimplifier::sweepsOver(const Corner* corners, const Piece& piece, Corner corner) const {
   const Corner from = corners[piece.first], to = corners[piece.last];
   const Corner along = to - from;
@@ -239,8 +253,7 @@ bool BorderSimplifier::sweepsOver(const Corner* corners, const Piece& piece, Cor
   return enclosed;
 }
 
-/// What a point is drawn in by: nothing, but where the opposite pixel has the same label, so that borders
-/// meet.
+/// What a corner is drawn in by: nothing, but where the opposite pixel has the same label and borders meet.
 Eigen::Vector2d BorderSimplifier::insetAt(Corner before, Corner corner, Corner after) const {
   // Toward the pixel between the two runs: the one that the border turns round, or the one that is missing.
   const bool left = before.x + after.x < 2 * corner.x, up = before.y + after.y < 2 * corner.y;

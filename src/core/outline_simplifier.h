@@ -36,8 +36,8 @@ class BorderSimplifier {
   void simplify(const Corner* corners, std::size_t count, double tolerance,
                 std::vector<Eigen::Vector2d>& points);
 
-  /// Takes an announced border back.
-  void remove(const Corner* corners, std::size_t count);
+  /// Makes room for the next plane; to be called with every border that was announced.
+  void forget(const Corner* corners, std::size_t count);
 
  private:
   struct Piece;

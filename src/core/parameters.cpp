@@ -155,7 +155,8 @@ std::string setParameter(const std::string& name, const std::string& value, Para
     if (!parse(value, parsed)) {
       problem = "'" + value + "' is no value for " + name;
     } else if (!(parsed >= static_cast<T>(min) && parsed <= static_cast<T>(max))) {
-      problem = name + " = " + value + " is outside " + toText(static_cast<T>(min)) + " to " + toText(static_cast<T>(max));
+      problem = name + " = " + value + " is outside " + toText(static_cast<T>(min)) + " to " +
+                toText(static_cast<T>(max));
     } else {
       field = parsed;
       problem.clear();

@@ -10,15 +10,16 @@
 namespace line_plane_segmentation {
 namespace {
 
-constexpr std::size_t kMaxClusters = 65534;       // labels are 16 bit, and 65535 is kept free: "do not judge"
-constexpr std::size_t kMaxCoplanarClusters = 100;  // every pair of these is tried, so that the time stays bounded
+constexpr std::size_t kMaxClusters = 65534;  // labels are 16 bit, and 65535 is kept free: "do not judge"
+constexpr std::size_t kMaxCoplanarClusters =
+    100;  // every pair of these is tried, so that the time stays bounded
 
-// The sensor's own distortion bends a plane the more of the picture it fills: over so much of the grid, as much as
-// max_curvedness allows a small one.
+// The sensor's own distortion bends a plane the more of the picture it fills: over so much of the grid, as
+// much as max_curvedness allows a small one.
 constexpr double kDistortedShare = 0.02;
 
-// A patch whose pixels deviate from its cluster's plane by so many times what is usual there belongs to something else
-// that runs into the plane; not so if that is within the tolerance anyway.
+// A patch whose pixels deviate from its cluster's plane by so many times what is usual there belongs to
+// something else that runs into the plane; not so if that is within the tolerance anyway.
 constexpr double kOutlierFactor = 4.0;
 constexpr double kNeverOutlier = 0.5;  // in tolerances squared
 
@@ -50,7 +51,8 @@ double PatchClusterer::costOf(int a, int b, PatchCluster& merged) const {
 bool PatchClusterer::mergeIfCheaper(Pair& pair, double limit) {
   const int a = find(pair.a), b = find(pair.b);
   if (a == b) return true;
-  const int patches = nodes_[static_cast<std::size_t>(a)].patches + nodes_[static_cast<std::size_t>(b)].patches;
+  const int patches =
+      nodes_[static_cast<std::size_t>(a)].patches + nodes_[static_cast<std::size_t>(b)].patches;
   if (patches == pair.patches && !(pair.cost < limit)) return false;
   PatchCluster merged;
   pair.cost = costOf(a, b, merged);
@@ -62,18 +64,21 @@ bool PatchClusterer::mergeIfCheaper(Pair& pair, double limit) {
 }
 
 void PatchClusterer::addNeighbor(int a, int b, const PatchGrid& grid, double limit) {
-  if (!grid.patches[static_cast<std::size_t>(a)].is_planar || !grid.patches[static_cast<std::size_t>(b)].is_planar) {
+  if (!grid.patches[static_cast<std::size_t>(a)].is_planar ||
+      !grid.patches[static_cast<std::size_t>(b)].is_planar) {
     return;
   }
   PatchCluster merged;
   const double cost = costOf(a, b, merged);
-  // A pair of single patches may cost more than the clusters that they come to belong to, whose planes are surer.
+  // A pair of single patches may cost more than the clusters that they come to belong to, whose planes are
+  // surer.
   if (cost < 4.0 * limit) pairs_.push_back({cost, a, b, merged.patches});
 }
 
 void PatchClusterer::sortPairs() {
-  std::sort(pairs_.begin(), pairs_.end(),
-            [](const Pair& p, const Pair& q) { return std::tie(p.cost, p.a, p.b) < std::tie(q.cost, q.a, q.b); });
+  std::sort(pairs_.begin(), pairs_.end(), [](const Pair& p, const Pair& q) {
+    return std::tie(p.cost, p.a, p.b) < std::tie(q.cost, q.a, q.b);
+  });
 }
 
 void PatchClusterer::mergeNeighbors(const PatchGrid& grid, double limit) {
@@ -85,7 +90,8 @@ void PatchClusterer::mergeNeighbors(const PatchGrid& grid, double limit) {
       if (r + 1 < grid.rows) addNeighbor(i, i + grid.columns, grid, limit);
     }
   }
-  // The limit rises in steps, so that what is most alike has grown together before anything doubtful is asked.
+  // The limit rises in steps, so that what is most alike has grown together before anything doubtful is
+  // asked.
   for (const double share : {1.0 / 64, 1.0 / 16, 1.0 / 8, 1.0 / 4, 1.0 / 2, 1.0, 1.0}) {
     std::size_t kept = 0;
     for (Pair& pair : pairs_) {
@@ -128,7 +134,8 @@ bool PatchClusterer::isOccludedBetween(int a, int b, const DepthImage& depth, co
     const float z = depth.at(u, v);
     if (!(z > 0.0F)) continue;
     const double w = 1.0 / static_cast<double>(z);
-    const double expected = merged.plane.at(rays.x[static_cast<std::size_t>(u)], rays.y[static_cast<std::size_t>(v)]);
+    const double expected =
+        merged.plane.at(rays.x[static_cast<std::size_t>(u)], rays.y[static_cast<std::size_t>(v)]);
     if (expected - w > tolerance.at(w, inverse_distance)) ++behind;
   }
   return 4 * behind < steps;
@@ -145,10 +152,12 @@ void PatchClusterer::mergeCoplanar(const DepthImage& depth, const ViewRays& rays
     }
   }
   if (roots_.size() > kMaxCoplanarClusters) {
-    std::nth_element(roots_.begin(), roots_.begin() + kMaxCoplanarClusters, roots_.end(), [this](int a, int b) {
-      const int pa = nodes_[static_cast<std::size_t>(a)].patches, pb = nodes_[static_cast<std::size_t>(b)].patches;
-      return pa != pb ? pa > pb : a < b;
-    });
+    std::nth_element(roots_.begin(), roots_.begin() + kMaxCoplanarClusters, roots_.end(),
+                     [this](int a, int b) {
+                       const int pa = nodes_[static_cast<std::size_t>(a)].patches,
+                                 pb = nodes_[static_cast<std::size_t>(b)].patches;
+                       return pa != pb ? pa > pb : a < b;
+                     });
     roots_.resize(kMaxCoplanarClusters);
     std::sort(roots_.begin(), roots_.end());
   }
@@ -169,14 +178,16 @@ void PatchClusterer::mergeCoplanar(const DepthImage& depth, const ViewRays& rays
 }
 
 // Takes outliers out of the clusters, whose planes they would bend.
-void PatchClusterer::trim(const PatchGrid& grid, std::vector<PatchCluster>& clusters, std::vector<int>& cluster_of) {
+void PatchClusterer::trim(const PatchGrid& grid, std::vector<PatchCluster>& clusters,
+                          std::vector<int>& cluster_of) {
   nodes_.assign(clusters.size(), PatchCluster{});
   for (std::size_t i = 0; i < cluster_of.size(); ++i) {
     if (cluster_of[i] < 0) continue;
     const std::size_t k = static_cast<std::size_t>(cluster_of[i]);
     const RegressionMoments& patch = grid.patches[i].moments;
     const double usual = clusters[k].squared_error / clusters[k].moments.pixels;
-    if (patch.squaredErrorTo(clusters[k].plane) > std::max(kOutlierFactor * usual, kNeverOutlier) * patch.pixels) {
+    if (patch.squaredErrorTo(clusters[k].plane) >
+        std::max(kOutlierFactor * usual, kNeverOutlier) * patch.pixels) {
       cluster_of[i] = -1;
     } else {
       nodes_[k].moments += patch;
@@ -208,7 +219,8 @@ void PatchClusterer::cluster(const DepthImage& depth, const ViewRays& rays, cons
   cluster_of.assign(count, -1);
   for (std::size_t i = 0; i < count && clusters.size() < kMaxClusters; ++i) {
     const PatchCluster& node = nodes_[i];
-    if (find(static_cast<int>(i)) != static_cast<int>(i) || node.patches < parameters.clusters.min_patches) continue;
+    if (find(static_cast<int>(i)) != static_cast<int>(i) || node.patches < parameters.clusters.min_patches)
+      continue;
     const double share = node.patches / static_cast<double>(count);
     const double max_error = parameters.clusters.max_curvedness * (1.0 + share / kDistortedShare);
     if (node.squared_error > max_error * node.moments.pixels) continue;

@@ -17,7 +17,8 @@ InverseDepthLine lineOf(const InverseDepthPlane& plane, ScanDirection direction,
   return {plane.b, plane.a * across + plane.c};
 }
 
-// In the scan, Sy = t z and Sx = k z (Eq. 3), so that w = slope t + offset is the line slope Sy + (offset / k) Sx = 1.
+// In the scan, Sy = t z and Sx = k z (Eq. 3), so that w = slope t + offset is the line slope Sy + (offset /
+// k) Sx = 1.
 void setPolarForm(const InverseDepthLine& line, double across, LineSegment& segment) {
   const double k = std::sqrt(across * across + 1.0);
   segment.alpha = std::atan2(line.slope, line.offset / k);
@@ -32,7 +33,8 @@ class SegmentJoiner {
       : grid_(grid),
         along_(along),
         half_window_(parameters.lines.line_window / 2),
-        tolerance_{parameters.noise, parameters.patches.patch_noise_factor, parameters.patches.patch_distance},
+        tolerance_{parameters.noise, parameters.patches.patch_noise_factor,
+                   parameters.patches.patch_distance},
         segments_(segments) {}
 
   void walk(ScanDirection direction, int scanline, double across, int first_patch, int stride, int count) {
@@ -61,7 +63,8 @@ class SegmentJoiner {
   }
 
  private:
-  bool meets(const InverseDepthLine& before, const InverseDepthLine& after, int pixel, const SurfacePatch& patch) const {
+  bool meets(const InverseDepthLine& before, const InverseDepthLine& after, int pixel,
+             const SurfacePatch& patch) const {
     const double t = along_[static_cast<std::size_t>(std::max(0, pixel - grid_.spacing / 2))];
     const double w = after.slope * t + after.offset;
     return std::fabs(before.slope * t + before.offset - w) < tolerance_.at(w, patch.plane.inverseDistance());
@@ -83,12 +86,14 @@ void describePatches(const PatchGrid& grid, const ViewRays& rays, const Paramete
   SegmentJoiner along_rows(grid, rays.x, parameters, segments);
   for (int r = 0; r < grid.rows; ++r) {
     const int v = grid.pixelOf(r);
-    along_rows.walk(ScanDirection::kRow, v, rays.y[static_cast<std::size_t>(v)], grid.indexOf(0, r), 1, grid.columns);
+    along_rows.walk(ScanDirection::kRow, v, rays.y[static_cast<std::size_t>(v)], grid.indexOf(0, r), 1,
+                    grid.columns);
   }
   SegmentJoiner along_columns(grid, rays.y, parameters, segments);
   for (int c = 0; c < grid.columns; ++c) {
     const int u = grid.pixelOf(c);
-    along_columns.walk(ScanDirection::kColumn, u, rays.x[static_cast<std::size_t>(u)], c, grid.columns, grid.rows);
+    along_columns.walk(ScanDirection::kColumn, u, rays.x[static_cast<std::size_t>(u)], c, grid.columns,
+                       grid.rows);
   }
   for (int r = 0; r < grid.rows; ++r) {
     for (int c = 0; c < grid.columns; ++c) {

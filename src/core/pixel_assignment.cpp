@@ -37,10 +37,12 @@ void PixelAssigner::findSpans(const PatchGrid& grid, int row, int width, const s
 }
 
 // Whether a few pixels lie at the depth of those to their left and right.
-bool PixelAssigner::isLikeNeighbors(const LabelRun& before, const LabelRun& speckle, const LabelRun& after) const {
+bool PixelAssigner::isLikeNeighbors(const LabelRun& before, const LabelRun& speckle,
+                                    const LabelRun& after) const {
   const float expected = 0.5F * (inverse_depth_[static_cast<std::size_t>(before.last - 1)] +
                                  inverse_depth_[static_cast<std::size_t>(after.first)]);
-  for (std::size_t u = static_cast<std::size_t>(speckle.first); u < static_cast<std::size_t>(speckle.last); ++u) {
+  for (std::size_t u = static_cast<std::size_t>(speckle.first); u < static_cast<std::size_t>(speckle.last);
+       ++u) {
     if (std::fabs(inverse_depth_[u] - expected) * inverse_tolerance_[u] > kMaxSpeckleError) return false;
   }
   return true;
@@ -68,20 +70,23 @@ void PixelAssigner::assign(const DepthImage& depth, const ViewRays& rays, const 
     }
     const float* z = depth.row(v);
     const double y = rays.y[static_cast<std::size_t>(v)];
-    prepareRow(z, depth.width, noise, inverse_depth_.data(), inverse_tolerance_.data(), best_.data(), label_.data());
+    prepareRow(z, depth.width, noise, inverse_depth_.data(), inverse_tolerance_.data(), best_.data(),
+               label_.data());
     for (const Span& span : spans_) {
       const InverseDepthPlane& plane = clusters[static_cast<std::size_t>(span.cluster)].plane;
-      const RowOfPlane row{static_cast<float>(plane.a), static_cast<float>(plane.b * y + plane.c),
-                           static_cast<float>(1.0 / (parameters.extraction.plane_distance * plane.inverseDistance())),
-                           static_cast<std::uint16_t>(span.cluster + 1)};
-      assignIfBetter(z + span.first, inverse_depth_.data() + span.first, inverse_tolerance_.data() + span.first,
-                     rays.x.data() + span.first, span.last - span.first, row, best_.data() + span.first,
-                     label_.data() + span.first);
+      const RowOfPlane row{
+          static_cast<float>(plane.a), static_cast<float>(plane.b * y + plane.c),
+          static_cast<float>(1.0 / (parameters.extraction.plane_distance * plane.inverseDistance())),
+          static_cast<std::uint16_t>(span.cluster + 1)};
+      assignIfBetter(z + span.first, inverse_depth_.data() + span.first,
+                     inverse_tolerance_.data() + span.first, rays.x.data() + span.first,
+                     span.last - span.first, row, best_.data() + span.first, label_.data() + span.first);
     }
     image.addRow(label_.data(), depth.width);
-    image.joinOverSpeckles(kMaxSpeckle, [this](const LabelRun& before, const LabelRun& speckle, const LabelRun& after) {
-      return isLikeNeighbors(before, speckle, after);
-    });
+    image.joinOverSpeckles(kMaxSpeckle,
+                           [this](const LabelRun& before, const LabelRun& speckle, const LabelRun& after) {
+                             return isLikeNeighbors(before, speckle, after);
+                           });
   }
 }
 

@@ -12,7 +12,8 @@
 namespace line_plane_segmentation {
 namespace {
 
-constexpr int kMaxPlanes = std::numeric_limits<std::uint16_t>::max() - 1;  // 65535 is kept free: "do not judge"
+constexpr int kMaxPlanes =
+    std::numeric_limits<std::uint16_t>::max() - 1;  // 65535 is kept free: "do not judge"
 
 // How a candidate's bound was found: each step costs more than the one before, and bounds tighter.
 enum class Bound { kStale, kTiles, kUnconnected, kExact };
@@ -32,10 +33,10 @@ bool goesLater(const Entry& a, const Entry& b) {
 }  // namespace
 
 struct PlaneExtractor::Scratch {
-  DepthImage remaining;             // depth of the pixels that no plane has taken yet
-  std::vector<std::uint8_t> links;  // neighbours nearer than neighbor_distance
-  std::vector<std::uint8_t> mask;           // of one row
-  std::vector<std::uint64_t> boundaries;    // of one row: a byte for each pixel and one more
+  DepthImage remaining;                   // depth of the pixels that no plane has taken yet
+  std::vector<std::uint8_t> links;        // neighbours nearer than neighbor_distance
+  std::vector<std::uint8_t> mask;         // of one row
+  std::vector<std::uint64_t> boundaries;  // of one row: a byte for each pixel and one more
   TileGrid tiles;
   RunComponents components;
   std::vector<Entry> queue;
@@ -46,8 +47,9 @@ struct PlaneExtractor::Scratch {
     for (int v = 0; v < height; ++v) {
       const bool has_next = v + 1 < height;
       linkNeighbors(remaining.row(v), has_next ? remaining.row(v + 1) : nullptr, rays.x.data(),
-                    rays.y[static_cast<std::size_t>(v)], has_next ? rays.y[static_cast<std::size_t>(v + 1)] : 0.0F,
-                    width, neighbor_distance * neighbor_distance, links.data() + remaining.index(0, v));
+                    rays.y[static_cast<std::size_t>(v)],
+                    has_next ? rays.y[static_cast<std::size_t>(v + 1)] : 0.0F, width,
+                    neighbor_distance * neighbor_distance, links.data() + remaining.index(0, v));
     }
   }
 
@@ -55,14 +57,15 @@ struct PlaneExtractor::Scratch {
     int count = 0;
     for (int v = window.first_v; v < window.last_v; ++v) {
       const float* z = remaining.row(v);
-      count += static_cast<int>(std::count_if(z + window.first_u, z + window.last_u, [](float d) { return d > 0.0F; }));
+      count += static_cast<int>(
+          std::count_if(z + window.first_u, z + window.last_u, [](float d) { return d > 0.0F; }));
     }
     return count;
   }
 
   int bound(const PlaneCandidate& candidate, const ViewRays& rays, float plane_distance) {
-    return tiles.boundInliers(rays, candidate.normal.cast<float>(), static_cast<float>(candidate.d), plane_distance,
-                              candidate.u, candidate.v);
+    return tiles.boundInliers(rays, candidate.normal.cast<float>(), static_cast<float>(candidate.d),
+                              plane_distance, candidate.u, candidate.v);
   }
 
   // Calls `visit(row, span)` for the stretches of pixels that the last bound() has left, from the top.
@@ -85,8 +88,8 @@ struct PlaneExtractor::Scratch {
     int count = 0;
     forEachSpan([&](int v, const TileGrid::Span& span) {
       const float a = normal.y() * rays.y[static_cast<std::size_t>(v)] + normal.z();
-      count += countInliers(remaining.row(v) + span.first, rays.x.data() + span.first, span.last - span.first, a,
-                            normal.x(), static_cast<float>(candidate.d), plane_distance);
+      count += countInliers(remaining.row(v) + span.first, rays.x.data() + span.first, span.last - span.first,
+                            a, normal.x(), static_cast<float>(candidate.d), plane_distance);
     });
     return count;
   }
@@ -111,15 +114,16 @@ struct PlaneExtractor::Scratch {
     }
   }
 
-  // The component of the candidate's inliers, or -1 if its own pixel is none. The tiles must be those of its bound.
+  // The component of the candidate's inliers, or -1 if its own pixel is none. The tiles must be those of its
+  // bound.
   int grow(const PlaneCandidate& candidate, const ViewRays& rays, float plane_distance) {
     const Eigen::Vector3f normal = candidate.normal.cast<float>();
     const float d = static_cast<float>(candidate.d);
     components.clear();
     forEachSpan([&](int v, const TileGrid::Span& span) {
       const float a = normal.y() * rays.y[static_cast<std::size_t>(v)] + normal.z();
-      markInliers(remaining.row(v) + span.first, rays.x.data() + span.first, span.last - span.first, a, normal.x(), d,
-                  plane_distance, mask.data() + span.first);
+      markInliers(remaining.row(v) + span.first, rays.x.data() + span.first, span.last - span.first, a,
+                  normal.x(), d, plane_distance, mask.data() + span.first);
       addRuns(v, span.first, span.last);
     });
     return components.componentAt(candidate.u, candidate.v);
@@ -128,11 +132,12 @@ struct PlaneExtractor::Scratch {
   void take(int component, std::uint16_t label, std::vector<std::uint16_t>& labels) {
     for (const PixelRun& run : components.runsOf(component)) {
       for (int u = run.first; u < run.last; ++u) tiles.remove(u, run.row, 1);
-      const std::size_t first = remaining.index(run.first, run.row), last = remaining.index(run.last, run.row);
+      const std::size_t first = remaining.index(run.first, run.row),
+                        last = remaining.index(run.last, run.row);
       std::fill(remaining.z.begin() + static_cast<std::ptrdiff_t>(first),
                 remaining.z.begin() + static_cast<std::ptrdiff_t>(last), 0.0F);
-      std::fill(labels.begin() + static_cast<std::ptrdiff_t>(first), labels.begin() + static_cast<std::ptrdiff_t>(last),
-                label);
+      std::fill(labels.begin() + static_cast<std::ptrdiff_t>(first),
+                labels.begin() + static_cast<std::ptrdiff_t>(last), label);
     }
   }
 };

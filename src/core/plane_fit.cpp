@@ -39,7 +39,8 @@ bool fitPlane(const PointMoments& moments, PlaneFit& plane) {
 }
 
 Eigen::Matrix4d PlaneFit::covariance(const PointMoments& moments, double sigma) const {
-  // The residual n . p + d changes with a turn of the normal (t1, t2) and with d; the normal's length is fixed.
+  // The residual n . p + d changes with a turn of the normal (t1, t2) and with d; the normal's length is
+  // fixed.
   const Eigen::Vector3d t1 = normal.unitOrthogonal();
   const Eigen::Vector3d t2 = normal.cross(t1);
   Eigen::Matrix<double, 4, 3> tangent = Eigen::Matrix<double, 4, 3>::Zero();

@@ -9,8 +9,8 @@
 namespace line_plane_segmentation {
 namespace {
 
-// Cosine of the angle between the normal and the line of sight. Pixels of one row or column alone lie in a plane through
-// the camera, whose distance is nothing but rounding; nobody sees such a plane.
+// Cosine of the angle between the normal and the line of sight. Pixels of one row or column alone lie in a
+// plane through the camera, whose distance is nothing but rounding; nobody sees such a plane.
 constexpr double kEdgeOn = 1e-6;
 
 }  // namespace
@@ -27,7 +27,7 @@ void PlaneMeasurement::sumLabels(const DepthImage& depth, const ViewRays& rays, 
     sums.moments.count += run.pixels();
     sums.moments.sum += Eigen::Vector3d(s.zx, y * s.z, s.z);
     Eigen::Matrix3d outer;
-    outer << s.zzxx, y * s.zzx, s.zzx,  //
+    outer << s.zzxx, y * s.zzx, s.zzx,      //
         y * s.zzx, y * y * s.zz, y * s.zz,  //
         s.zzx, y * s.zz, s.zz;
     sums.moments.outer += outer;
@@ -52,8 +52,8 @@ void PlaneMeasurement::measure(const DepthImage& depth, const ViewRays& rays, co
                                        ? PlaneEstimate{fit.normal, fit.d, fit.covariance(moments, sigma)}
                                        : estimates[label - 1];
     if (!(estimate.d > kEdgeOn * fit.centroid.norm())) continue;
-    // A pixel of depth z covers z² / (fx fy) facing the camera, and on the plane, seen under the angle whose cosine
-    // is d / (z |ray|) there, z³ / (d fx fy).
+    // A pixel of depth z covers z² / (fx fy) facing the camera, and on the plane, seen under the angle whose
+    // cosine is d / (z |ray|) there, z³ / (d fx fy).
     const double area = sums_[label].cubed_depth / (estimate.d * camera.fx * camera.fy);
     if (!(area >= min_area)) continue;
     SegmentedPlane plane;

@@ -6,8 +6,8 @@
 
 #include "line_plane_segmentation/candidate_detection.h"
 #include "line_plane_segmentation/depth_image.h"
-#include "line_plane_segmentation/line_extraction.h"
 #include "line_plane_segmentation/label_runs.h"
+#include "line_plane_segmentation/line_extraction.h"
 #include "line_plane_segmentation/outline.h"
 #include "line_plane_segmentation/patch_clustering.h"
 #include "line_plane_segmentation/pixel_assignment.h"
@@ -39,7 +39,8 @@ class SilentObserver final : public StageObserver {
 
 std::uint32_t countValid(const DepthImage& depth) {
   std::uint32_t count = 0;
-  for (int v = 0; v < depth.height; ++v) count += static_cast<std::uint32_t>(countDepths(depth.row(v), depth.width));
+  for (int v = 0; v < depth.height; ++v)
+    count += static_cast<std::uint32_t>(countDepths(depth.row(v), depth.width));
   return count;
 }
 
@@ -113,7 +114,8 @@ void PlaneSegmenter::Stages::describe() {
 }
 
 const char* nameOf(Stage stage) {
-  constexpr std::array<const char*, kStageCount> kNames = {"lines", "candidates", "extraction", "refinement", "outlines"};
+  constexpr std::array<const char*, kStageCount> kNames = {"lines", "candidates", "extraction", "refinement",
+                                                           "outlines"};
   return kNames[static_cast<std::size_t>(stage)];
 }
 
@@ -166,8 +168,8 @@ const Segmentation& PlaneSegmenter::segment(const DepthView& view, const CameraI
 
   const int label_count = s.resolved.method == Method::kPaper ? s.runPaper(camera, stage_observer)
                                                               : s.runAdaptive(stage_observer);
-  s.measurement.measure(s.depth, s.rays, camera, label_count, s.resolved.extraction.min_plane_area, s.runs, s.result,
-                        s.estimates);
+  s.measurement.measure(s.depth, s.rays, camera, label_count, s.resolved.extraction.min_plane_area, s.runs,
+                        s.result, s.estimates);
   s.runs.write(s.result.labels, view.width);
   stage_observer.stageFinished(Stage::kRefinement);
   s.outlines.trace(camera, s.resolved.outlines, s.result);

@@ -7,7 +7,8 @@
 namespace line_plane_segmentation {
 namespace {
 
-constexpr double kMaxMeanError = 2.0;  // [-] in tolerances; a piece farther from the plane around it is not of it
+constexpr double kMaxMeanError =
+    2.0;  // [-] in tolerances; a piece farther from the plane around it is not of it
 
 }  // namespace
 
@@ -90,7 +91,8 @@ int RegionCleaner::renumber(int min_plane_inliers, int label_count, LabelRuns& i
     if (pixels > 0 && pixels >= min_plane_inliers) order_.push_back(label);
   }
   std::sort(order_.begin(), order_.end(), [this](int a, int b) {
-    const int pa = label_pixels_[static_cast<std::size_t>(a)], pb = label_pixels_[static_cast<std::size_t>(b)];
+    const int pa = label_pixels_[static_cast<std::size_t>(a)],
+              pb = label_pixels_[static_cast<std::size_t>(b)];
     return pa != pb ? pa > pb : a < b;
   });
   new_label_.assign(label_pixels_.size(), 0);
@@ -132,17 +134,20 @@ void RegionCleaner::chooseLabels(const DepthImage& depth, const ViewRays& rays,
   }
 }
 
-int RegionCleaner::clean(const DepthImage& depth, const ViewRays& rays, const std::vector<PatchCluster>& clusters,
-                         const Parameters& parameters, LabelRuns& image) {
+int RegionCleaner::clean(const DepthImage& depth, const ViewRays& rays,
+                         const std::vector<PatchCluster>& clusters, const Parameters& parameters,
+                         LabelRuns& image) {
   const int min_pixels = parameters.cleanup.min_region_pixels;
   connect(image);
   findContacts(image, min_pixels);
   chooseLabels(depth, rays, clusters, parameters, image);
   for (std::size_t i = 0; i < image.runs.size(); ++i) {
     const std::size_t piece = static_cast<std::size_t>(parent_[i]);
-    if (image.runs[i].label != kNoDepthLabel && pixels_[piece] < min_pixels) image.runs[i].label = new_label_[piece];
+    if (image.runs[i].label != kNoDepthLabel && pixels_[piece] < min_pixels)
+      image.runs[i].label = new_label_[piece];
   }
-  const int plane_count = renumber(parameters.extraction.min_plane_inliers, static_cast<int>(clusters.size()), image);
+  const int plane_count =
+      renumber(parameters.extraction.min_plane_inliers, static_cast<int>(clusters.size()), image);
   image.join();
   return plane_count;
 }

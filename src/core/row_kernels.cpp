@@ -38,8 +38,8 @@ void markRunBoundaries(const std::uint8_t* __restrict mask, const std::uint8_t* 
 }
 
 LPS_MULTIVERSION
-void linkNeighbors(const float* z, const float* below, const float* x, float y, float y_below, int count, float bound,
-                   std::uint8_t* links) {
+void linkNeighbors(const float* z, const float* below, const float* x, float y, float y_below, int count,
+                   float bound, std::uint8_t* links) {
   for (int i = 0; i + 1 < count; ++i) {
     const float distance = squaredDistance(z[i], x[i], y, z[i + 1], x[i + 1], y);
     links[i] = static_cast<std::uint8_t>((z[i] > 0.0F) & (z[i + 1] > 0.0F) & (distance < bound));
@@ -68,7 +68,8 @@ void markChanges(const std::uint16_t* __restrict labels, int count, std::uint8_t
 
 LPS_MULTIVERSION
 void prepareRow(const float* __restrict z, int count, const RowNoise& noise, float* __restrict inverse_depth,
-                float* __restrict inverse_tolerance, float* __restrict best, std::uint16_t* __restrict label) {
+                float* __restrict inverse_tolerance, float* __restrict best,
+                std::uint16_t* __restrict label) {
   const RowNoise n = noise;
   for (int i = 0; i < count; ++i) {
     const bool valid = z[i] > 0.0F;
@@ -100,8 +101,8 @@ void assignIfBetter(const float* __restrict z, const float* __restrict inverse_d
 LPS_MULTIVERSION
 RunSums sumRun(const float* z, const float* x, int count) {
   constexpr int kLanes = 8;
-  double sum_z[kLanes] = {}, sum_zx[kLanes] = {}, sum_zz[kLanes] = {}, sum_zzx[kLanes] = {}, sum_zzxx[kLanes] = {},
-         sum_zzz[kLanes] = {};
+  double sum_z[kLanes] = {}, sum_zx[kLanes] = {}, sum_zz[kLanes] = {}, sum_zzx[kLanes] = {},
+         sum_zzxx[kLanes] = {}, sum_zzz[kLanes] = {};
   const auto add = [&](int lane, int i) {
     const double depth = z[i], ray = x[i], square = depth * depth, square_ray = square * ray;
     sum_z[lane] += depth;

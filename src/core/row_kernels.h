@@ -3,7 +3,8 @@
 
 #include <cstdint>
 
-/// The loops over the pixels of a row that all the time goes into, each simple enough for the compiler to vectorise.
+/// The loops over the pixels of a row that all the time goes into, each simple enough for the compiler to
+/// vectorise.
 namespace line_plane_segmentation {
 
 /// Distance of a pixel's point to a plane, n . p + d = z (a + b x) + d, where x = (u - cx) / fx, b = nx and
@@ -17,9 +18,10 @@ void markInliers(const float* z, const float* x, int count, float a, float b, fl
 /// How many pixels markInliers() would mark.
 int countInliers(const float* z, const float* x, int count, float a, float b, float d, float threshold);
 
-/// boundaries[i] = 1 where a run of marked, linked pixels begins or ends at i, else 0: mask[i] differs from mask[i - 1],
-/// or both are set but not linked. Before the first pixel nothing is marked.
-void markRunBoundaries(const std::uint8_t* mask, const std::uint8_t* links, int count, std::uint8_t* boundaries);
+/// boundaries[i] = 1 where a run of marked, linked pixels begins or ends at i, else 0: mask[i] differs from
+/// mask[i - 1], or both are set but not linked. Before the first pixel nothing is marked.
+void markRunBoundaries(const std::uint8_t* mask, const std::uint8_t* links, int count,
+                       std::uint8_t* boundaries);
 
 /// Squared distance [m²] between the points of depths z0 and z1 on the rays (x0, y0, 1) and (x1, y1, 1).
 inline float squaredDistance(float z0, float x0, float y0, float z1, float x1, float y1) {
@@ -34,8 +36,8 @@ constexpr std::uint8_t kLinkDown = 2;   ///< the pixel and the one below are nea
 /// Which pixels of a row are linked to their right and lower neighbours. `below` may be null (the last row).
 /// @param y, y_below  rays of the two rows
 /// @param bound       [m²] squared neighbour distance
-void linkNeighbors(const float* z, const float* below, const float* x, float y, float y_below, int count, float bound,
-                   std::uint8_t* links);
+void linkNeighbors(const float* z, const float* below, const float* x, float y, float y_below, int count,
+                   float bound, std::uint8_t* links);
 
 /// How many of the depths are one, that is, not 0.
 int countDepths(const float* z, int count);
@@ -51,21 +53,23 @@ struct RowNoise {
 /// Makes a row ready for assignIfBetter().
 /// @param inverse_depth     [1/m] 1 / z, or 0 where there is no depth
 /// @param inverse_tolerance [m] 1 / DepthTolerance::along(), undefined where there is no depth
-/// @param best              1: a pixel must lie within the tolerance; 0 where there is no depth: nothing is better
+/// @param best              1: a pixel must lie within the tolerance; 0 where there is no depth: nothing is
+/// better
 /// @param label             0, or kNoDepthLabel where there is no depth
-void prepareRow(const float* z, int count, const RowNoise& noise, float* inverse_depth, float* inverse_tolerance,
-                float* best, std::uint16_t* label);
+void prepareRow(const float* z, int count, const RowNoise& noise, float* inverse_depth,
+                float* inverse_tolerance, float* best, std::uint16_t* label);
 
 /// A plane along a row: its inverse depth is slope * x + offset.
 struct RowOfPlane {
   float slope, offset;
-  float inverse_across;  ///< 1 / (distance / d): DepthTolerance's part across the plane is this times z, inverted
+  float inverse_across;  ///< 1 / (distance / d): DepthTolerance's part across the plane is this times z,
+                         ///< inverted
   std::uint16_t label;
 };
 
 /// Gives each pixel whose error, in tolerances, is under `best` to the plane, and remembers the error there.
-void assignIfBetter(const float* z, const float* inverse_depth, const float* inverse_tolerance, const float* x,
-                    int count, const RowOfPlane& plane, float* best, std::uint16_t* label);
+void assignIfBetter(const float* z, const float* inverse_depth, const float* inverse_tolerance,
+                    const float* x, int count, const RowOfPlane& plane, float* best, std::uint16_t* label);
 
 /// Sums over a run of pixels of depth z on rays (x, y, 1) with one y.
 struct RunSums {

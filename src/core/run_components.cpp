@@ -50,9 +50,10 @@ void RunComponents::add(const PixelRun& run, const std::uint8_t* links_above) {
   pixels_.push_back(run.last - run.first);
   if (links_above == nullptr) return;
 
-  while (above_begin_ < above_end_ && runs_[static_cast<std::size_t>(above_begin_)].last <= run.first) ++above_begin_;
-  for (int above = above_begin_; above < above_end_ && runs_[static_cast<std::size_t>(above)].first < run.last;
-       ++above) {
+  while (above_begin_ < above_end_ && runs_[static_cast<std::size_t>(above_begin_)].last <= run.first)
+    ++above_begin_;
+  for (int above = above_begin_;
+       above < above_end_ && runs_[static_cast<std::size_t>(above)].first < run.last; ++above) {
     if (!touches(runs_[static_cast<std::size_t>(above)], run, links_above)) continue;
     int a = find(above), b = find(index);
     if (a == b) continue;
@@ -63,9 +64,9 @@ void RunComponents::add(const PixelRun& run, const std::uint8_t* links_above) {
 }
 
 int RunComponents::componentAt(int u, int v) {
-  const auto run = std::lower_bound(runs_.begin(), runs_.end(), std::make_pair(v, u), [](const PixelRun& r, auto at) {
-    return std::make_pair(r.row, r.last - 1) < at;
-  });
+  const auto run =
+      std::lower_bound(runs_.begin(), runs_.end(), std::make_pair(v, u),
+                       [](const PixelRun& r, auto at) { return std::make_pair(r.row, r.last - 1) < at; });
   if (run == runs_.end() || run->row != v || run->first > u) return -1;
   return find(static_cast<int>(run - runs_.begin()));
 }

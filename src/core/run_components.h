@@ -11,7 +11,8 @@ struct PixelRun {
   int row, first, last;
 };
 
-/// Connected components of runs of pixels, by union-find: rows are added from the top, in each the runs from the left.
+/// Connected components of runs of pixels, by union-find: rows are added from the top, in each the runs from
+/// the left.
 class RunComponents {
  public:
   void clear();

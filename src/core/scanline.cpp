@@ -7,8 +7,8 @@ namespace line_plane_segmentation {
 
 int scanlineCount(int pixels, int spacing) { return pixels > 0 ? (pixels - 1) / spacing : 0; }
 
-void projectScanline(const DepthImage& depth, const CameraIntrinsics& camera, ScanDirection direction, int index,
-                     Scanline& scanline) {
+void projectScanline(const DepthImage& depth, const CameraIntrinsics& camera, ScanDirection direction,
+                     int index, Scanline& scanline) {
   const bool is_row = direction == ScanDirection::kRow;
   const int count = is_row ? depth.width : depth.height;
   const double along_focal = is_row ? camera.fx : camera.fy;

@@ -9,7 +9,9 @@ namespace {
 
 constexpr double kMinFilled = 0.7;  // share of a window's pixels that must have a depth
 
-int countAlong(int pixels, int spacing) { return pixels > spacing / 2 ? (pixels - 1 - spacing / 2) / spacing + 1 : 0; }
+int countAlong(int pixels, int spacing) {
+  return pixels > spacing / 2 ? (pixels - 1 - spacing / 2) / spacing + 1 : 0;
+}
 
 template <typename Sums>
 void addPixel(float z, double t, Sums& sums) {
@@ -30,7 +32,8 @@ double PatchDetector::LineSums::squaredErrorOfLine() const {
   return ctt > 0.0 ? std::max(0.0, cww - ctw * ctw / ctt) : std::numeric_limits<double>::max();
 }
 
-void PatchDetector::sumRows(const DepthImage& depth, const ViewRays& rays, int half_window, const PatchGrid& grid) {
+void PatchDetector::sumRows(const DepthImage& depth, const ViewRays& rays, int half_window,
+                            const PatchGrid& grid) {
   running_.resize(static_cast<std::size_t>(depth.width) + 1);
   for (int r = 0; r < grid.rows; ++r) {
     const float* z = depth.row(grid.pixelOf(r));
@@ -49,9 +52,10 @@ void PatchDetector::sumRows(const DepthImage& depth, const ViewRays& rays, int h
   }
 }
 
-// All columns at once from the top down, so that the image is read row by row: what has been summed above a window's
-// first row is put away, and subtracted at its end.
-void PatchDetector::sumColumns(const DepthImage& depth, const ViewRays& rays, int half_window, const PatchGrid& grid) {
+// All columns at once from the top down, so that the image is read row by row: what has been summed above a
+// window's first row is put away, and subtracted at its end.
+void PatchDetector::sumColumns(const DepthImage& depth, const ViewRays& rays, int half_window,
+                               const PatchGrid& grid) {
   running_.assign(static_cast<std::size_t>(grid.columns), LineSums{});
   int opening = 0, closing = 0;  // the next rows of the grid whose windows begin and end
   for (int v = 0; v <= depth.height; ++v) {
@@ -67,7 +71,8 @@ void PatchDetector::sumColumns(const DepthImage& depth, const ViewRays& rays, in
     if (v == depth.height) break;
     const float* z = depth.row(v);
     const double y = rays.y[static_cast<std::size_t>(v)];
-    for (int c = 0; c < grid.columns; ++c) addPixel(z[grid.pixelOf(c)], y, running_[static_cast<std::size_t>(c)]);
+    for (int c = 0; c < grid.columns; ++c)
+      addPixel(z[grid.pixelOf(c)], y, running_[static_cast<std::size_t>(c)]);
   }
 }
 
@@ -91,8 +96,8 @@ void PatchDetector::fitCrossing(const LineSums& row, const LineSums& column, dou
                                  parameters.patches.patch_distance};
   const double bound = tolerance.at(m.w / m.one, patch.plane.inverseDistance());
   const double flat = parameters.patches.patch_flatness * bound * bound;
-  patch.is_planar = row.squaredErrorOfLine() < flat * row.n && column.squaredErrorOfLine() < flat * column.n &&
-                    squared_error < flat * m.pixels;
+  patch.is_planar = row.squaredErrorOfLine() < flat * row.n &&
+                    column.squaredErrorOfLine() < flat * column.n && squared_error < flat * m.pixels;
   if (!patch.is_planar) return;
   patch.moments.scale(1.0 / (bound * bound));
   patch.squared_error = squared_error / (bound * bound);

@@ -60,8 +60,8 @@ bool TileGrid::mayHoldInlier(const ViewRays& rays, const Eigen::Vector3f& normal
   return low + d < margin && high + d > -margin;
 }
 
-int TileGrid::boundInliers(const ViewRays& rays, const Eigen::Vector3f& normal, float d, float threshold, int u,
-                           int v) {
+int TileGrid::boundInliers(const ViewRays& rays, const Eigen::Vector3f& normal, float d, float threshold,
+                           int u, int v) {
   std::fill(reached_.begin(), reached_.end(), std::uint8_t{0});
   stack_.clear();
   int bound = 0;
@@ -88,7 +88,8 @@ int TileGrid::boundInliers(const ViewRays& rays, const Eigen::Vector3f& normal, 
 const std::vector<TileGrid::Span>& TileGrid::spans() {
   spans_.clear();
   for (int row = 0; row < rows_; ++row) {
-    const std::uint8_t* reached = reached_.data() + static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_);
+    const std::uint8_t* reached =
+        reached_.data() + static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_);
     for (int column = 0; column < columns_;) {
       if (reached[column] == 0) {
         ++column;

@@ -9,8 +9,8 @@
 
 namespace line_plane_segmentation {
 
-/// The image in square tiles, each with its nearest and farthest depth: where a plane cannot have inliers is known
-/// without a look at the pixels.
+/// The image in square tiles, each with its nearest and farthest depth: where a plane cannot have inliers is
+/// known without a look at the pixels.
 class TileGrid {
  public:
   static constexpr int kSide = 16;  ///< [px]
@@ -25,10 +25,11 @@ class TileGrid {
   /// Takes pixels away from the tile that holds (u, v).
   void remove(int u, int v, int count) { pixels_[tileOf(u, v)] -= count; }
 
-  /// Bound from above of the pixels that can belong to the plane n . p + d = 0 and hang together with pixel (u, v):
-  /// all that are in tiles with an inlier possible, reached from the pixel's tile over tiles side by side.
-  /// The tiles are kept for spans().
-  int boundInliers(const ViewRays& rays, const Eigen::Vector3f& normal, float d, float threshold, int u, int v);
+  /// Bound from above of the pixels that can belong to the plane n . p + d = 0 and hang together with pixel
+  /// (u, v): all that are in tiles with an inlier possible, reached from the pixel's tile over tiles side by
+  /// side. The tiles are kept for spans().
+  int boundInliers(const ViewRays& rays, const Eigen::Vector3f& normal, float d, float threshold, int u,
+                   int v);
 
   /// The tiles of the last boundInliers(), from the top.
   const std::vector<Span>& spans();
@@ -38,7 +39,8 @@ class TileGrid {
     return static_cast<std::size_t>(v / kSide) * static_cast<std::size_t>(columns_) +
            static_cast<std::size_t>(u / kSide);
   }
-  bool mayHoldInlier(const ViewRays& rays, const Eigen::Vector3f& normal, float d, float threshold, int tile) const;
+  bool mayHoldInlier(const ViewRays& rays, const Eigen::Vector3f& normal, float d, float threshold,
+                     int tile) const;
 
   int width_ = 0, height_ = 0;
   int columns_ = 0, rows_ = 0;
