@@ -96,7 +96,8 @@ TEST(FitLine, GivesAPositiveDistanceInWhicheverDirection) {
     EXPECT_NEAR(line.r, 0.7, 1e-12);
     EXPECT_NEAR(turn(line.alpha, alpha), 0.0, 1e-9) << alpha;
     EXPECT_LE(std::abs(line.alpha), kPi);
-    EXPECT_NEAR(-line.information_ar / line.information_rr, 0.2, 1e-9) << "where along the line the points are";
+    EXPECT_NEAR(-line.information_ar / line.information_rr, 0.2, 1e-9)
+        << "where along the line the points are";
   }
 }
 
