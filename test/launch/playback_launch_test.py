@@ -7,6 +7,7 @@ import signal
 import subprocess
 import tempfile
 import threading
+import time
 import unittest
 
 import genpy
@@ -23,6 +24,7 @@ WIDTH, HEIGHT, FOCAL_LENGTH = 320, 240, 285.0
 FRAMES = 30
 # Slower than a camera: what is tested is that playing waits, not how fast the machine is.
 FRAMES_PER_SECOND = 10
+PLANES = "/camera/plane_segmenter/planes"
 CAMERA_FRAME = "camera_depth_optical_frame"
 
 
@@ -56,6 +58,12 @@ def write_bag(path, namespace):
 
 
 class PlaybackLaunchTest(unittest.TestCase):
+    def wait_for_publisher(self, topic):
+        deadline = time.monotonic() + 60
+        while topic not in [name for name, _ in rospy.get_published_topics()]:
+            self.assertLess(time.monotonic(), deadline, "nobody publishes " + topic)
+            rospy.rostime.wallsleep(0.1)
+
     def test_every_image_is_answered(self):
         arrays = []
         enough = threading.Event()
@@ -65,15 +73,17 @@ class PlaybackLaunchTest(unittest.TestCase):
             if len(arrays) >= FRAMES:
                 enough.set()
 
-        rospy.Subscriber("/camera/plane_segmenter/planes", PlaneArray, collect, queue_size=FRAMES)
-
         with tempfile.TemporaryDirectory() as folder:
             stamps = write_bag(os.path.join(folder, "a wall.bag"), "/kinect/depth")
             command = ["roslaunch", "line_plane_segmentation", "playback.launch", "rviz:=false", "bag:=a wall.bag",
                        "depth_topic:=/kinect/depth/image_raw"]
             launch = subprocess.Popen(command, cwd=folder, env=dict(os.environ, PWD=folder))
             try:
-                enough.wait(60)
+                self.wait_for_publisher(PLANES)
+                # Had playing begun by itself, these would be lost.
+                rospy.rostime.wallsleep(2.0)
+                rospy.Subscriber(PLANES, PlaneArray, collect, queue_size=FRAMES)
+                enough.wait(30)
                 rospy.rostime.wallsleep(1.0)
             finally:
                 launch.send_signal(signal.SIGINT)
