@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "frame_sources.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "depth_frames.h"
@@ -16,45 +17,52 @@ BenchmarkFrame emptyFrame(const std::string& name, int width, int height) {
   return {name, width, height, kinectIntrinsics(width, height), 0.001F, std::vector<std::uint16_t>(pixels)};
 }
 
-/// A cell of a grid over the picture, on the plane z = 1.
+/// A cell of a grid over the picture, on the plane z = 1, and how far away its content stands. Neighbours
+/// stand at different depths, so that what is in them makes no common plane.
 struct Cell {
   double x, y, width, height;
+  double depth;  // [m]
 };
 
 std::vector<Cell> gridCells(int count, const CameraIntrinsics& camera, int width, int height) {
-  const int columns = static_cast<int>(std::ceil(std::sqrt(count * 4.0 / 3.0)));
+  const int columns = std::max(1, static_cast<int>(std::lround(std::sqrt(count * 4.0 / 3.0))));
   const int rows = (count + columns - 1) / columns;
   const double cell_width = width / camera.fx / columns;
   const double cell_height = height / camera.fy / rows;
   std::vector<Cell> cells;
   for (int i = 0; i < count; ++i) {
-    cells.push_back({-camera.cx / camera.fx + (i % columns + 0.5) * cell_width,
-                     -camera.cy / camera.fy + (i / columns + 0.5) * cell_height, cell_width, cell_height});
+    const int column = i % columns;
+    const int row = i / columns;
+    cells.push_back({(column + 0.5) * cell_width - camera.cx / camera.fx,
+                     (row + 0.5) * cell_height - camera.cy / camera.fy, cell_width, cell_height,
+                     1.0 + 0.4 * (column % 2) + 0.2 * (row % 2)});
   }
   return cells;
 }
 
-// Neighbours differ in tilt and depth, so that no two make one plane.
+// Roberts' R2 sequence: the tilts of any number of tiles are all different and fill their range evenly.
+constexpr double kSpreadX = 0.7548776662466927;
+constexpr double kSpreadY = 0.5698402909980532;
+
 void addTile(const Cell& cell, int index, simulation::Scene& scene) {
   constexpr double kFill = 0.94;
-  constexpr double kTilt = 0.35;
-  const double depth = 1.2 + 0.2 * (index % 3);
-  const double side = 0.5 * kFill * depth;
-  const double slope_x = index % 2 == 0 ? kTilt : -kTilt;
-  const double slope_y = index / 2 % 2 == 0 ? kTilt : -kTilt;
+  constexpr double kMostTilt = 0.45;
+  const double side = 0.5 * kFill * cell.depth;
+  const double slope_x = kMostTilt * std::remainder(2.0 * kSpreadX * index, 2.0);
+  const double slope_y = kMostTilt * std::remainder(2.0 * kSpreadY * index, 2.0);
   const auto corner = [&](double u, double v) {
     const double x = u * side * cell.width;
     const double y = v * side * cell.height;
-    return Eigen::Vector3d(cell.x * depth + x, cell.y * depth + y, depth + slope_x * x + slope_y * y);
+    return Eigen::Vector3d(cell.x * cell.depth + x, cell.y * cell.depth + y,
+                           cell.depth + slope_x * x + slope_y * y);
   };
   scene.addPolygon({corner(-1, -1), corner(-1, 1), corner(1, 1), corner(1, -1)});
 }
 
 void addBall(const Cell& cell, simulation::Scene& scene) {
-  constexpr double kDepth = 1.4;
-  const double radius = 0.45 * kDepth * std::min(cell.width, cell.height);
-  scene.addCurvedBody(
-      simulation::ellipsoid({cell.x * kDepth, cell.y * kDepth, kDepth}, Eigen::Vector3d::Constant(radius)));
+  const double radius = 0.45 * cell.depth * std::min(cell.width, cell.height);
+  scene.addCurvedBody(simulation::ellipsoid(Eigen::Vector3d(cell.x, cell.y, 1.0) * cell.depth,
+                                            Eigen::Vector3d::Constant(radius)));
 }
 
 }  // namespace
