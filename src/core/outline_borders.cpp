@@ -63,6 +63,25 @@ int* appendMarked(const std::uint8_t* marks, int begin, int end, int* columns) {
   return columns;
 }
 
+/// A straight piece of a border, up to its next turn.
+struct Run {
+  int steps = 0;
+  bool turns_left = false;
+};
+
+/// Goes along a border. `left` is the pixel at the first crack on the left hand, which has the label,
+/// `to_right` leads across the crack and `step` to the next one; `room` steps end at the edge of the image.
+Run runAlong(const std::uint16_t* left, std::ptrdiff_t to_right, std::ptrdiff_t step, int room,
+             bool right_in_image) {
+  const std::uint16_t label = *left;
+  for (int steps = 1; steps < room; ++steps) {
+    left += step;
+    if (*left != label) return {steps, true};
+    if (right_in_image && left[to_right] == label) return {steps, false};
+  }
+  return {room, true};
+}
+
 bool comesBefore(const Border& a, const Border& b) {
   if (a.label != b.label) return a.label < b.label;
   if ((a.area > 0) != (b.area > 0)) return a.area > 0;
@@ -133,49 +152,41 @@ std::size_t BorderFollower::findStarts(const std::uint16_t* row, const std::uint
 
 /// Follows a border round from a corner where it sets out in the given direction.
 void BorderFollower::followFrom(int start_x, int start_y, Direction start_direction) {
-  constexpr std::uint16_t kOutside = 0;
-  const std::ptrdiff_t w = width_;
-  // By direction: a step over corners, and the way from the pixel right below a corner to the one ahead on
-  // the left hand; the one ahead on the right hand is the left one of the direction before.
   constexpr std::array<int, 4> kStepX = {0, 1, 0, -1}, kStepY = {1, 0, -1, 0};
-  const std::array<std::ptrdiff_t, 4> stride = {w, 1, -w, -1};
-  const std::array<std::ptrdiff_t, 4> ahead = {0, -w, -w - 1, -1};
-  constexpr std::array<std::uint8_t, 4> kSeenTurningLeft = {0, 0, 0, kConvex},
-                                        kSeenTurningRight = {0, 0, kReflex, 0};
-
+  constexpr std::array<std::uint8_t, 4> kSeenTurningLeft = {0, 0, 0, kConvex};
+  constexpr std::array<std::uint8_t, 4> kSeenTurningRight = {0, 0, kReflex, 0};
+  const std::ptrdiff_t w = width_;
   const std::size_t first = corners_.size();
-  const std::ptrdiff_t start = start_y * w + start_x;
-  const std::uint16_t label = labels_[start_direction == kDown ? start : start - w];
   std::int64_t area = 0;
   int x = start_x, y = start_y;
   unsigned direction = start_direction;
   do {
     corners_.push_back({x, y});
-    const std::array<int, 4> to_edge = {height_ - y, width_ - x, y, x};
-    const std::array<bool, 4> right_in_image = {x > 0, y < height_, x<width_, y> 0};
-    const int room = to_edge[direction];
-    const bool inside = right_in_image[direction];
-    const std::ptrdiff_t corner = y * w + x;
-    const std::ptrdiff_t left_stride = stride[direction], right_stride = inside ? left_stride : 0;
-    const std::uint16_t* const right_labels = inside ? labels_ : &kOutside;
-    std::ptrdiff_t left = corner + ahead[direction];
-    std::ptrdiff_t right = inside ? corner + ahead[(direction + 3) % 4] : 0;
-    int steps = 0;
-    bool turns_left = false, turns_right = false;
-    while (!turns_left && !turns_right) {
-      ++steps;
-      left += left_stride;
-      right += right_stride;
-      turns_left = steps == room || labels_[left] != label;
-      turns_right = !turns_left && right_labels[right] == label;
+    const std::ptrdiff_t below_right = y * w + x;
+    Run run;
+    switch (direction) {
+      case kDown:
+        run = runAlong(labels_ + below_right, -1, w, height_ - y, x > 0);
+        break;
+      case kRight:
+        run = runAlong(labels_ + (below_right - w), w, 1, width_ - x, y < height_);
+        break;
+      case kUp:
+        run = runAlong(labels_ + (below_right - w - 1), 1, -w, y, x < width_);
+        break;
+      default:
+        run = runAlong(labels_ + (below_right - 1), -w, -1, x, y > 0);
+        break;
     }
-    x += kStepX[direction] * steps;
-    y += kStepY[direction] * steps;
-    area -= std::int64_t{x} * (kStepY[direction] * steps);
-    markSeen(pixelAt(x, y), turns_left ? kSeenTurningLeft[direction] : kSeenTurningRight[direction]);
-    direction = (direction + (turns_left ? 1 : 3)) % 4;
+    x += kStepX[direction] * run.steps;
+    y += kStepY[direction] * run.steps;
+    area -= std::int64_t{x} * (kStepY[direction] * run.steps);
+    markSeen(pixelAt(x, y), run.turns_left ? kSeenTurningLeft[direction] : kSeenTurningRight[direction]);
+    direction = (direction + (run.turns_left ? 1 : 3)) % 4;
   } while (x != start_x || y != start_y || direction != start_direction);
 
+  const std::uint16_t label =
+      labels_[pixelAt(start_x, start_y) - (start_direction == kDown ? 0 : pixelAt(0, 1))];
   std::int64_t& largest = largest_[label];
   if (std::abs(area) < min_area_ && area <= largest) {
     corners_.resize(first);
