@@ -8,7 +8,7 @@
 #include <cmath>
 #include <vector>
 
-#include "support/paper_parameters.h"
+#include "support/resolved_parameters.h"
 #include "support/random.h"
 #include "support/synthetic_depth.h"
 #include "support/synthetic_scan.h"

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "line_plane_segmentation/line_extraction.h"
-#include "support/paper_parameters.h"
+#include "support/resolved_parameters.h"
 #include "support/random.h"
 #include "support/synthetic_scan.h"
 

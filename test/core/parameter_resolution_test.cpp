@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "line_plane_segmentation/parameters.h"
-#include "support/paper_parameters.h"
+#include "support/resolved_parameters.h"
 
 namespace line_plane_segmentation {
 namespace {

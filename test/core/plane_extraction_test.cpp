@@ -14,7 +14,7 @@
 #include "line_plane_segmentation/line_extraction.h"
 #include "line_plane_segmentation/plane_measurement.h"
 #include "reference_extraction.h"
-#include "support/paper_parameters.h"
+#include "support/resolved_parameters.h"
 #include "support/random.h"
 #include "support/synthetic_depth.h"
 

@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "line_plane_segmentation/pixel_assignment.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "support/random.h"
+#include "support/resolved_parameters.h"
+#include "support/synthetic_depth.h"
+
+namespace line_plane_segmentation {
+namespace {
+
+constexpr int kMaxSpeckle = 3;  // [px] runs as short may have been joined to their neighbours
+
+/// An image with its clusters, and the labels of its pixels.
+struct Assignment {
+  DepthImage depth;
+  ViewRays rays;
+  Parameters parameters;
+  PatchGrid grid;
+  std::vector<PatchCluster> clusters;
+  std::vector<int> cluster_of;
+  std::vector<std::uint16_t> labels;  // kNoDepthLabel where there is no depth
+
+  Assignment(const DepthImage& image, const Parameters& p, PixelAssigner& assigner)
+      : depth(image),
+        rays(raysOf(kinectCamera(image.width, image.height), image.width, image.height)),
+        parameters(p) {
+    PatchDetector().detect(depth, rays, parameters, grid);
+    PatchClusterer().cluster(depth, rays, grid, parameters, clusters, cluster_of);
+    assign(assigner);
+  }
+
+  void assign(PixelAssigner& assigner) {
+    LabelRuns runs;
+    assigner.assign(depth, rays, grid, clusters, cluster_of, parameters, runs);
+    labels.clear();
+    for (const LabelRun& run : runs.runs) {
+      EXPECT_EQ(depth.index(run.first, run.row), labels.size()) << "the runs cover the image";
+      labels.insert(labels.end(), static_cast<std::size_t>(run.pixels()), run.label);
+    }
+    EXPECT_EQ(labels.size(), depth.z.size());
+  }
+
+  /// The error of a pixel to a plane, in tolerances.
+  double errorTo(std::size_t cluster, int u, int v) const {
+    const InverseDepthPlane& plane = clusters[cluster].plane;
+    const DepthTolerance tolerance{parameters.noise, parameters.extraction.distance_noise_factor,
+                                   parameters.extraction.plane_distance};
+    const double w = 1.0 / static_cast<double>(depth.at(u, v));
+    const double expected =
+        plane.at(rays.x[static_cast<std::size_t>(u)], rays.y[static_cast<std::size_t>(v)]);
+    return std::abs(w - expected) / tolerance.at(w, plane.inverseDistance());
+  }
+
+  /// Whether a patch of the cluster lies in the pixel's tile of the grid or in one of the eight around it.
+  bool isAsked(std::size_t cluster, int u, int v) const {
+    const int column = std::min(u / grid.spacing, grid.columns - 1),
+              row = std::min(v / grid.spacing, grid.rows - 1);
+    for (int r = std::max(0, row - 1); r <= std::min(grid.rows - 1, row + 1); ++r) {
+      for (int c = std::max(0, column - 1); c <= std::min(grid.columns - 1, column + 1); ++c) {
+        if (cluster_of[static_cast<std::size_t>(grid.indexOf(c, r))] == static_cast<int>(cluster))
+          return true;
+      }
+    }
+    return false;
+  }
+
+  /// The label by trying every plane; `is_close` if rounding may decide otherwise.
+  std::uint16_t bruteForceLabel(int u, int v, bool& is_close) const {
+    if (!(depth.at(u, v) > 0.0F)) return kNoDepthLabel;
+    double best = 1.0;
+    std::uint16_t label = 0;
+    for (std::size_t k = 0; k < clusters.size(); ++k) {
+      if (!isAsked(k, u, v)) continue;
+      const double error = errorTo(k, u, v);
+      is_close |= std::abs(error - best) < 2e-3;
+      if (!(error < best)) continue;
+      best = error;
+      label = static_cast<std::uint16_t>(k + 1);
+    }
+    return label;
+  }
+};
+
+void expectAsBruteForce(const Assignment& assignment) {
+  const int width = assignment.depth.width;
+  for (int v = 0; v < assignment.depth.height; ++v) {
+    std::vector<std::uint16_t> expected;
+    std::vector<bool> is_close;
+    for (int u = 0; u < width; ++u) {
+      bool close = false;
+      expected.push_back(assignment.bruteForceLabel(u, v, close));
+      is_close.push_back(close);
+    }
+    for (int first = 0, last = 0; first < width; first = last) {
+      const auto label = [&](int u) { return expected[static_cast<std::size_t>(u)]; };
+      while (last < width && label(last) == label(first)) ++last;
+      for (int u = first; u < last; ++u) {
+        const std::uint16_t found = assignment.labels[assignment.depth.index(u, v)];
+        if (found == label(u) || is_close[static_cast<std::size_t>(u)]) continue;
+        const bool is_speckle =
+            last - first <= kMaxSpeckle && label(u) != kNoDepthLabel && first > 0 && last < width;
+        ASSERT_TRUE(is_speckle && (found == label(first - 1) || found == label(last))) << u << ' ' << v;
+      }
+    }
+  }
+}
+
+TEST(PixelAssigner, GivesEachPixelToTheBestOfThePlanesNearby) {
+  PixelAssigner assigner;
+  std::size_t clusters = 0;
+  for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+    Random random(seed);
+    const int width = random.integer(60, 240), height = random.integer(40, 180);
+    Parameters parameters = adaptiveParameters(width);
+    parameters.scanlines.scanline_spacing = random.integer(4, 12);
+    parameters.extraction.distance_noise_factor = random.uniform(1.0, 5.0);
+    parameters.extraction.plane_distance = random.uniform(0.001, 0.03);
+    const Assignment assignment(randomScene(seed, width, height), parameters, assigner);
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    expectAsBruteForce(assignment);
+    if (testing::Test::HasFatalFailure()) return;
+    clusters += assignment.clusters.size();
+  }
+  EXPECT_GT(clusters, 40U) << "the images are too poor to test anything";
+}
+
+TEST(PixelAssigner, PartsTwoWallsAlongTheirCorner) {
+  const CameraIntrinsics camera = kinectCamera(320, 240);
+  DepthImage depth = blankDepth(320, 240);
+  paint(surfaceAt(1.8, 0.6), camera, {0, 160, 0, 240}, depth);
+  paint(surfaceAt(1.8, -0.6), camera, {160, 320, 0, 240}, depth);
+  PixelAssigner assigner;
+  const Assignment assignment(depth, adaptiveParameters(320), assigner);
+  ASSERT_EQ(assignment.clusters.size(), 2U);
+  const std::uint16_t left = assignment.labels[depth.index(20, 100)],
+                      right = assignment.labels[depth.index(300, 100)];
+  EXPECT_NE(left, right);
+  for (int v = 0; v < 240; ++v) {
+    for (int u = 0; u < 320; ++u) {
+      if (std::abs(u - 159.5) < 1.0) continue;  // on the corner itself
+      EXPECT_EQ(assignment.labels[depth.index(u, v)], u < 160 ? left : right) << u;
+    }
+  }
+}
+
+/// One plane with three pixels of a row moved away by so many tolerances; what they are labelled.
+std::uint16_t labelOfMovedPixels(double tolerances, int pixels) {
+  const Surface surface = surfaceAt(1.5);
+  Parameters parameters = adaptiveParameters(320);
+  parameters.extraction.plane_distance = 0.001;  // so that the tolerance is that of the noise
+  PixelAssigner assigner;
+  Assignment assignment(render(surface, kinectCamera(320, 240), 320, 240), parameters, assigner);
+  const double sigma = parameters.extraction.distance_noise_factor * parameters.noise.sigma(1.5);
+  for (int i = 0; i < pixels; ++i)
+    assignment.depth.row(100)[150 + i] = static_cast<float>(1.5 + tolerances * sigma);
+  assignment.assign(assigner);
+  return assignment.labels[assignment.depth.index(150, 100)];
+}
+
+TEST(PixelAssigner, JoinsOverASpeckleNearThePlane) {
+  EXPECT_EQ(labelOfMovedPixels(0.5, 20), 1) << "within the tolerance";
+  EXPECT_EQ(labelOfMovedPixels(1.5, 20), 0) << "beyond it";
+  EXPECT_EQ(labelOfMovedPixels(1.5, kMaxSpeckle), 1) << "a speckle";
+  EXPECT_EQ(labelOfMovedPixels(1.5, kMaxSpeckle + 1), 0) << "too wide for a speckle";
+  EXPECT_EQ(labelOfMovedPixels(5.0, kMaxSpeckle), 0) << "too far off for a speckle";
+}
+
+TEST(PixelAssigner, OfNoPlanesOrNoDepthGivesNoLabels) {
+  PixelAssigner assigner;
+  const Assignment no_depth(blankDepth(60, 40), adaptiveParameters(60), assigner);
+  EXPECT_EQ(std::count(no_depth.labels.begin(), no_depth.labels.end(), kNoDepthLabel), 60 * 40);
+  Assignment no_planes(render(surfaceAt(1.5), kinectCamera(60, 40), 60, 40), adaptiveParameters(60),
+                       assigner);
+  no_planes.clusters.clear();
+  std::fill(no_planes.cluster_of.begin(), no_planes.cluster_of.end(), -1);
+  no_planes.assign(assigner);
+  EXPECT_EQ(std::count(no_planes.labels.begin(), no_planes.labels.end(), 0), 60 * 40);
+  const Assignment no_grid(render(surfaceAt(1.5), kinectCamera(2, 2), 2, 2), adaptiveParameters(320),
+                           assigner);
+  EXPECT_EQ(std::count(no_grid.labels.begin(), no_grid.labels.end(), 0), 4);
+}
+
+}  // namespace
+}  // namespace line_plane_segmentation

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "line_plane_segmentation/plane_estimate.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Eigenvalues>
+#include <cmath>
+
+#include "support/random.h"
+#include "support/synthetic_depth.h"
+
+namespace line_plane_segmentation {
+namespace {
+
+constexpr double kNoise = 0.002;  // [1/m] of the inverse depth
+
+/// A cluster of the pixels of a grid of rays that see the surface, in units of the noise.
+PatchCluster seen(const Surface& surface, double noise, Random& random) {
+  PatchCluster cluster;
+  for (double x = -0.3; x < 0.31; x += 0.05) {
+    for (double y = -0.2; y < 0.21; y += 0.05) {
+      const double w = 1.0 / surface.depthAlong(x, y) + noise * random.gaussian();
+      RegressionMoments one;
+      one.xx = x * x;
+      one.xy = x * y;
+      one.yy = y * y;
+      one.x = x;
+      one.y = y;
+      one.one = one.pixels = 1.0;
+      one.xw = x * w;
+      one.yw = y * w;
+      one.w = w;
+      one.ww = w * w;
+      one.scale(1.0 / (kNoise * kNoise));
+      cluster.moments += one;
+    }
+  }
+  cluster.squared_error = cluster.moments.fit(cluster.plane);
+  return cluster;
+}
+
+TEST(EstimatePlane, IsTheClustersPlane) {
+  Random random(1);
+  for (const Surface& surface : {surfaceAt(1.0), surfaceAt(2.5, 0.7, -0.4), surfaceAt(0.6, -1.0, 0.2)}) {
+    const PlaneEstimate estimate = estimatePlane(seen(surface, 0.0, random));
+    EXPECT_LT((estimate.normal - surface.normal).norm(), 1e-9);
+    EXPECT_NEAR(estimate.d, surface.d, 1e-9);
+    EXPECT_NEAR(estimate.normal.norm(), 1.0, 1e-12);
+    EXPECT_LT(estimate.covariance.norm(), 1e-12) << "without noise it is sure";
+  }
+}
+
+TEST(EstimatePlane, HasACovarianceOfTheShapeThatRepeatedNoiseGives) {
+  Random random(2);
+  const Surface surface = surfaceAt(1.8, 0.6, -0.3);
+  constexpr int kTrials = 4000;
+  Eigen::Matrix4d sampled = Eigen::Matrix4d::Zero(), predicted = Eigen::Matrix4d::Zero();
+  for (int trial = 0; trial < kTrials; ++trial) {
+    const PlaneEstimate estimate = estimatePlane(seen(surface, kNoise, random));
+    Eigen::Vector4d difference;
+    difference << estimate.normal - surface.normal, estimate.d - surface.d;
+    sampled += difference * difference.transpose() / kTrials;
+    predicted += estimate.covariance / kTrials;
+  }
+  // Here pixels share no errors. The factor for those that do is the same in each direction in which a plane
+  // can move.
+  const double factor = predicted(3, 3) / sampled(3, 3);
+  EXPECT_GE(factor, 1.0);
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix4d> solver(predicted);
+  for (int i = 1; i < 4; ++i) {
+    const Eigen::Vector4d axis = solver.eigenvectors().col(i);
+    EXPECT_NEAR(axis.dot(sampled * axis) * factor / solver.eigenvalues()[i], 1.0, 0.12) << i;
+  }
+}
+
+TEST(EstimatePlane, HasACovarianceThatIsSingularAlongTheNormalOnly) {
+  Random random(3);
+  const PlaneEstimate estimate = estimatePlane(seen(surfaceAt(1.8, 0.6, -0.3), kNoise, random));
+  Eigen::Vector4d along_normal = Eigen::Vector4d::Zero();
+  along_normal.head<3>() = estimate.normal;
+  EXPECT_LT((estimate.covariance * along_normal).norm(), 1e-9 * estimate.covariance.norm());
+  EXPECT_LT((estimate.covariance - estimate.covariance.transpose()).norm(),
+            1e-9 * estimate.covariance.norm());
+  const Eigen::Vector4d eigenvalues =
+      Eigen::SelfAdjointEigenSolver<Eigen::Matrix4d>(estimate.covariance).eigenvalues();
+  EXPECT_GT(eigenvalues[1], 1e-6 * eigenvalues[3]);
+}
+
+}  // namespace
+}  // namespace line_plane_segmentation

@@ -1,0 +1,217 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "line_plane_segmentation/surface_patch.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/QR>
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "support/random.h"
+#include "support/resolved_parameters.h"
+#include "support/synthetic_depth.h"
+
+namespace line_plane_segmentation {
+namespace {
+
+/// The pixels of a window of a scanline: (x, y, w) of those with a depth.
+std::vector<Eigen::Vector3d> windowPixels(const DepthImage& depth, const ViewRays& rays, int u, int v,
+                                          int half_u, int half_v) {
+  std::vector<Eigen::Vector3d> pixels;
+  for (int j = std::max(0, v - half_v); j <= std::min(depth.height - 1, v + half_v); ++j) {
+    for (int i = std::max(0, u - half_u); i <= std::min(depth.width - 1, u + half_u); ++i) {
+      if (!(depth.at(i, j) > 0.0F)) continue;
+      pixels.emplace_back(rays.x[static_cast<std::size_t>(i)], rays.y[static_cast<std::size_t>(j)],
+                          1.0 / static_cast<double>(depth.at(i, j)));
+    }
+  }
+  return pixels;
+}
+
+/// Least squares of w = a x + b y + c, or of w = s t + c if only one coordinate is asked.
+double squaredErrorOf(const std::vector<Eigen::Vector3d>& pixels, bool with_x, bool with_y,
+                      Eigen::Vector3d& plane) {
+  Eigen::MatrixXd matrix =
+      Eigen::MatrixXd::Ones(static_cast<Eigen::Index>(pixels.size()), 1 + with_x + with_y);
+  Eigen::VectorXd w(static_cast<Eigen::Index>(pixels.size()));
+  for (std::size_t i = 0; i < pixels.size(); ++i) {
+    Eigen::Index column = 0;
+    if (with_x) matrix(static_cast<Eigen::Index>(i), column++) = pixels[i].x();
+    if (with_y) matrix(static_cast<Eigen::Index>(i), column) = pixels[i].y();
+    w[static_cast<Eigen::Index>(i)] = pixels[i].z();
+  }
+  const Eigen::VectorXd solution = matrix.colPivHouseholderQr().solve(w);
+  if (with_x && with_y) plane = solution;
+  return (matrix * solution - w).squaredNorm();
+}
+
+PatchGrid detect(const DepthImage& depth, const Parameters& parameters) {
+  PatchGrid grid;
+  PatchDetector().detect(depth, raysOf(kinectCamera(depth.width, depth.height), depth.width, depth.height),
+                         parameters, grid);
+  return grid;
+}
+
+int planarCount(const PatchGrid& grid) {
+  return static_cast<int>(std::count_if(grid.patches.begin(), grid.patches.end(),
+                                        [](const SurfacePatch& p) { return p.is_planar; }));
+}
+
+TEST(PatchDetector, IsLeastSquaresOverTheWindowsOfTwoScanlines) {
+  PatchDetector detector;
+  PatchGrid grid;
+  int planar = 0, others = 0;
+  for (std::uint64_t seed = 1; seed <= 60; ++seed) {
+    Random random(seed);
+    const int width = random.integer(8, 100), height = random.integer(8, 80);
+    const DepthImage depth = randomScene(seed, width, height);
+    const ViewRays rays = raysOf(kinectCamera(width, height), width, height);
+    Parameters parameters = adaptiveParameters(width);
+    parameters.scanlines.scanline_spacing = random.integer(3, 12);
+    parameters.lines.line_window = 2 * random.integer(2, 10) + 1;
+    detector.detect(depth, rays, parameters, grid);
+    const int half = parameters.lines.line_window / 2;
+    const double min_points = 0.7 * parameters.lines.line_window;
+    const DepthTolerance tolerance{parameters.noise, parameters.patches.patch_noise_factor,
+                                   parameters.patches.patch_distance};
+    for (int r = 0; r < grid.rows; ++r) {
+      for (int c = 0; c < grid.columns; ++c) {
+        const SurfacePatch& patch = grid.patches[static_cast<std::size_t>(grid.indexOf(c, r))];
+        const std::vector<Eigen::Vector3d> row =
+            windowPixels(depth, rays, grid.pixelOf(c), grid.pixelOf(r), half, 0);
+        const std::vector<Eigen::Vector3d> column =
+            windowPixels(depth, rays, grid.pixelOf(c), grid.pixelOf(r), 0, half);
+        if (static_cast<double>(std::min(row.size(), column.size())) < min_points) {
+          ASSERT_FALSE(patch.is_planar) << seed;
+          ++others;
+          continue;
+        }
+        std::vector<Eigen::Vector3d> both = row;
+        both.insert(both.end(), column.begin(), column.end());
+        Eigen::Vector3d plane;
+        const double squared_error = squaredErrorOf(both, true, true, plane);
+        double mean_w = 0.0;
+        for (const Eigen::Vector3d& pixel : both) mean_w += pixel.z() / static_cast<double>(both.size());
+        const double bound = std::pow(tolerance.at(mean_w, plane.norm()), 2);
+        const double worst =
+            std::max({squared_error / static_cast<double>(both.size()),
+                      squaredErrorOf(row, true, false, plane) / static_cast<double>(row.size()),
+                      squaredErrorOf(column, false, true, plane) / static_cast<double>(column.size())}) /
+            (parameters.patches.patch_flatness * bound);
+        if (std::abs(worst - 1.0) < 1e-6) continue;  // rounding may decide
+        ASSERT_EQ(patch.is_planar, worst < 1.0) << seed;
+        (patch.is_planar ? planar : others) += 1;
+        if (!patch.is_planar) continue;
+        ASSERT_NEAR(patch.plane.a, plane.x(), 1e-7);
+        ASSERT_NEAR(patch.plane.b, plane.y(), 1e-7);
+        ASSERT_NEAR(patch.plane.c, plane.z(), 1e-7);
+        ASSERT_NEAR(patch.squared_error, squared_error / bound, 1e-6 * (1.0 + patch.squared_error));
+        ASSERT_EQ(patch.moments.pixels, static_cast<double>(both.size()));
+        ASSERT_NEAR(patch.moments.one * bound, patch.moments.pixels, 1e-6) << "weighed by the tolerance";
+      }
+    }
+  }
+  EXPECT_GT(planar, 500);
+  EXPECT_GT(others, 500);
+}
+
+TEST(PatchDetector, LaysItsGridOverTheWholeImage) {
+  for (int width = 1; width < 60; ++width) {
+    Parameters parameters = adaptiveParameters(64);
+    parameters.scanlines.scanline_spacing = 7;
+    const PatchGrid grid = detect(blankDepth(width, 25), parameters);
+    int columns = 0;
+    for (int u = 3; u < width; u += 7) EXPECT_EQ(grid.pixelOf(columns++), u);
+    EXPECT_EQ(grid.columns, columns) << width;
+    EXPECT_EQ(grid.rows, 4);
+    EXPECT_EQ(grid.patches.size(), static_cast<std::size_t>(grid.columns * grid.rows));
+  }
+}
+
+TEST(PatchDetector, FindsThePlaneOfANoisySurface) {
+  Random random(7);
+  const Surface surface = surfaceAt(2.0, 0.4, -0.3);
+  DepthImage depth = render(surface, kinectCamera(320, 240), 320, 240);
+  addNoise({}, 1.0, random, depth);
+  const PatchGrid grid = detect(depth, adaptiveParameters(320));
+  // All but the corners, whose windows are cut in half.
+  EXPECT_GT(planarCount(grid), 0.85 * grid.columns * grid.rows);
+  double mean_d = 0.0;
+  for (const SurfacePatch& patch : grid.patches) {
+    if (patch.is_planar) mean_d += 1.0 / patch.plane.inverseDistance() / planarCount(grid);
+  }
+  EXPECT_NEAR(mean_d, surface.d, 0.02);
+}
+
+TEST(PatchDetector, FindsNoPlaneAcrossAStepOrACrease) {
+  const CameraIntrinsics camera = kinectCamera(320, 240);
+  const Parameters parameters = adaptiveParameters(320);
+  for (const bool is_step : {true, false}) {
+    DepthImage depth = blankDepth(320, 240);
+    paint(is_step ? surfaceAt(1.5) : surfaceAt(1.5, 0.8), camera, {0, 160, 0, 240}, depth);
+    paint(is_step ? surfaceAt(1.6) : surfaceAt(1.5, -0.8), camera, {160, 320, 0, 240}, depth);
+    const PatchGrid grid = detect(depth, parameters);
+    for (int c = 0; c < grid.columns; ++c) {
+      const int distance = std::abs(2 * grid.pixelOf(c) - 319) / 2;  // [px] to the edge
+      const bool is_planar = grid.patches[static_cast<std::size_t>(grid.indexOf(c, grid.rows / 2))].is_planar;
+      const bool has_room = grid.pixelOf(c) >= 7 && grid.pixelOf(c) < 313;
+      if (distance < 3) {
+        EXPECT_FALSE(is_planar) << is_step << ' ' << c;
+      }
+      if (distance > parameters.lines.line_window && has_room) {
+        EXPECT_TRUE(is_planar) << is_step << ' ' << c;
+      }
+    }
+  }
+}
+
+TEST(PatchDetector, FindsNothingWithoutDepth) {
+  EXPECT_EQ(planarCount(detect(blankDepth(320, 240), adaptiveParameters(320))), 0);
+  EXPECT_TRUE(detect(blankDepth(0, 0), adaptiveParameters(320)).patches.empty());
+  EXPECT_TRUE(detect(blankDepth(3, 3), adaptiveParameters(320)).patches.empty())
+      << "before the first scanline";
+}
+
+TEST(DescribePatches, ShowsAPlaneAsLinesAlongItsScanlines) {
+  const CameraIntrinsics camera = kinectCamera(320, 240);
+  const ViewRays rays = raysOf(camera, 320, 240);
+  const Surface surface = surfaceAt(1.5, 0.4, -0.2);
+  const Parameters parameters = adaptiveParameters(320);
+  const PatchGrid grid = detect(render(surface, camera, 320, 240), parameters);
+  std::vector<LineSegment> segments(3);
+  std::vector<PlaneCandidate> candidates(3);  // what was there goes
+  describePatches(grid, rays, parameters, segments, candidates);
+  ASSERT_EQ(candidates.size(), static_cast<std::size_t>(planarCount(grid)));
+  for (const PlaneCandidate& candidate : candidates) {
+    EXPECT_LT((candidate.normal - surface.normal).norm(), 1e-4);
+    EXPECT_NEAR(candidate.d, surface.d, 1e-4);
+  }
+  EXPECT_EQ(segments.size(), static_cast<std::size_t>(grid.columns + grid.rows));
+  for (const LineSegment& segment : segments) {
+    const bool is_row = segment.direction == ScanDirection::kRow;
+    // As the paper's lines, Eq. 1-3: see line_extraction_test.cpp.
+    const double across = is_row ? rays.y[static_cast<std::size_t>(segment.scanline)]
+                                 : rays.x[static_cast<std::size_t>(segment.scanline)];
+    const double n_along = is_row ? surface.normal.x() : surface.normal.y();
+    const double n_across =
+        (surface.normal.z() + across * (is_row ? surface.normal.y() : surface.normal.x())) /
+        std::hypot(across, 1.0);
+    EXPECT_NEAR(segment.alpha, std::atan2(-n_along, -n_across), 1e-4);
+    EXPECT_NEAR(segment.r, surface.d / std::hypot(n_along, n_across), 1e-4);
+    EXPECT_GE(segment.first, 0);
+    EXPECT_LT(segment.last, is_row ? 320 : 240);
+    EXPECT_GT(segment.points, (is_row ? 320 : 240) * 8 / 10);
+  }
+}
+
+TEST(DescribePatches, OfNothingIsNothing) {
+  std::vector<LineSegment> segments(3);
+  std::vector<PlaneCandidate> candidates(3);
+  describePatches(PatchGrid{}, ViewRays{}, adaptiveParameters(320), segments, candidates);
+  EXPECT_TRUE(segments.empty());
+  EXPECT_TRUE(candidates.empty());
+}
+
+}  // namespace
+}  // namespace line_plane_segmentation
