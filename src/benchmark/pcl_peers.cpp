@@ -55,7 +55,8 @@ pcl::PointCloud<pcl::PointXYZ>::Ptr organisedCloud(const BenchmarkFrame& frame) 
 
 pcl::PointCloud<pcl::PointXYZ>::Ptr validPoints(const BenchmarkFrame& frame) {
   pcl::PointCloud<pcl::PointXYZ>::Ptr cloud(new pcl::PointCloud<pcl::PointXYZ>);
-  for (const pcl::PointXYZ& point : organisedCloud(frame)->points) {
+  const pcl::PointCloud<pcl::PointXYZ>::Ptr all = organisedCloud(frame);
+  for (const pcl::PointXYZ& point : all->points) {
     if (std::isfinite(point.z)) cloud->push_back(point);
   }
   return cloud;
