@@ -8,8 +8,8 @@
 #include <cmath>
 #include <vector>
 
-#include "support/resolved_parameters.h"
 #include "support/random.h"
+#include "support/resolved_parameters.h"
 #include "support/synthetic_depth.h"
 #include "support/synthetic_scan.h"
 

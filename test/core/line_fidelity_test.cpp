@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "line_plane_segmentation/line_extraction.h"
-#include "support/resolved_parameters.h"
 #include "support/random.h"
+#include "support/resolved_parameters.h"
 #include "support/synthetic_scan.h"
 
 namespace line_plane_segmentation {

@@ -14,8 +14,8 @@
 #include "line_plane_segmentation/line_extraction.h"
 #include "line_plane_segmentation/plane_measurement.h"
 #include "reference_extraction.h"
-#include "support/resolved_parameters.h"
 #include "support/random.h"
+#include "support/resolved_parameters.h"
 #include "support/synthetic_depth.h"
 
 namespace line_plane_segmentation {
