@@ -7,24 +7,10 @@
 #include "line_plane_segmentation/ros/conversions.h"
 
 namespace line_plane_segmentation {
-namespace {
-
-// tf2 refuses names that start with a slash.
-std_msgs::Header withoutSlash(std_msgs::Header header) {
-  if (!header.frame_id.empty() && header.frame_id.front() == '/') header.frame_id.erase(0, 1);
-  return header;
-}
-
-DepthRange rangeOf(const Parameters& parameters) {
-  return {static_cast<float>(parameters.scanlines.min_range),
-          static_cast<float>(parameters.scanlines.max_range)};
-}
-
-}  // namespace
 
 FrameProcessor::FrameProcessor(const std::string& name, const InputLimits& limits, std::size_t queue_size,
                                const Outputs& outputs)
-    : limits_(limits), outputs_(outputs), queue_(queue_size), advice_(name), thread_([this] { run(); }) {}
+    : outputs_(outputs), queue_(queue_size), advice_(name), segmenter_(limits), thread_([this] { run(); }) {}
 
 FrameProcessor::~FrameProcessor() {
   queue_.close();
@@ -72,27 +58,25 @@ void FrameProcessor::applyParameters() {
 
 void FrameProcessor::process(const CameraFrame& frame) {
   if (!outputs_.wanted()) return;
-  const std_msgs::Header header = withoutSlash(frame.image->header);
-  const Validation input = validate(*frame.image, *frame.info, limits_);
+  applyParameters();
+  const Validation& input = segmenter_.segment(frame);
+  const std::string& frame_id = segmenter_.header().frame_id;
   if (!input.accepted()) {
     const std::string explanation = explain(input.refusal, *frame.image, *frame.info);
-    statistics_.refused(input.refusal, explanation, header.frame_id);
+    statistics_.refused(input.refusal, explanation, frame_id);
     advice_.refused(input.refusal, explanation);
     return;
   }
+  const Segmentation& segmentation = segmenter_.segmentation();
   advice_.accepted(frame, input);
-
-  applyParameters();
-  const DepthRange range = rangeOf(segmenter_.parameters());
-  const Segmentation& segmentation = segmenter_.segment(input.view, input.camera, &clock_);
-  advice_.segmented(input, range, segmentation);
+  advice_.segmented(input, segmenter_.range(), segmentation);
 
   const auto outputs_started = std::chrono::steady_clock::now();
   idsFromLabels(segmentation, ids_);
-  outputs_.publish({header, input.view, range, input.camera, segmentation, ids_, clock_.totalMilliseconds()});
+  outputs_.publish(segmenter_.result(ids_));
   const std::chrono::duration<double, std::milli> output_time =
       std::chrono::steady_clock::now() - outputs_started;
-  statistics_.processed(segmentation, clock_, output_time.count(), header.frame_id);
+  statistics_.processed(segmentation, segmenter_.clock(), output_time.count(), frame_id);
 }
 
 }  // namespace line_plane_segmentation

@@ -8,11 +8,10 @@
 #include <vector>
 
 #include "frame_queue.h"
+#include "frame_segmenter.h"
 #include "frame_statistics.h"
 #include "input_advice.h"
 #include "line_plane_segmentation/parameters.h"
-#include "line_plane_segmentation/plane_segmenter.h"
-#include "line_plane_segmentation/stage_clock.h"
 #include "outputs.h"
 
 namespace line_plane_segmentation {
@@ -44,7 +43,6 @@ class FrameProcessor {
   void process(const CameraFrame& frame);
   void applyParameters();
 
-  const InputLimits limits_;
   const Outputs& outputs_;
   FrameQueue queue_;
   FrameStatistics statistics_;
@@ -55,8 +53,7 @@ class FrameProcessor {
 
   // Used by the thread alone.
   InputAdvice advice_;
-  PlaneSegmenter segmenter_;
-  StageClock clock_;
+  FrameSegmenter segmenter_;
   std::vector<std::uint32_t> ids_;
   bool tracing_outlines_ = true;
 

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <std_msgs/Header.h>
+
+#include <cstdint>
+#include <vector>
+
+#include "line_plane_segmentation/parameters.h"
+#include "line_plane_segmentation/plane_segmenter.h"
+#include "line_plane_segmentation/ros/conversions.h"
+#include "line_plane_segmentation/ros/image_validation.h"
+#include "line_plane_segmentation/stage_clock.h"
+#include "stamp_pairing.h"
+
+namespace line_plane_segmentation {
+
+/// From the messages of one frame to its planes, without topics, threads or log: what the nodelet and the
+/// tools for bags share, so that they give the same. Knows nothing of the frames before; not thread-safe.
+class FrameSegmenter {
+ public:
+  explicit FrameSegmenter(const InputLimits& limits = {}) : limits_(limits) {}
+
+  /// Takes effect with the next frame.
+  void setParameters(const Parameters& parameters) { segmenter_.setParameters(parameters); }
+
+  /// Looks at the frame and segments it, unless it is refused.
+  /// @param frame  its messages must live as long as what is made of them here
+  const Validation& segment(const CameraFrame& frame);
+
+  /// Of the last frame: what was decided about it. The rest below is meaningful only if it was accepted.
+  const Validation& input() const { return input_; }
+
+  /// The image's header, its frame_id without the leading slash that tf2 refuses.
+  const std_msgs::Header& header() const { return header_; }
+
+  const Segmentation& segmentation() const { return *segmentation_; }
+  const DepthRange& range() const { return range_; }
+  const StageClock& clock() const { return clock_; }
+
+  /// All that messages are made from, valid until the next frame.
+  /// @param ids  of the planes, in their order
+  SegmentedFrame result(const std::vector<std::uint32_t>& ids) const;
+
+ private:
+  InputLimits limits_;
+  PlaneSegmenter segmenter_;
+  StageClock clock_;
+  std_msgs::Header header_;
+  Validation input_;
+  DepthRange range_;
+  const Segmentation* segmentation_ = nullptr;
+};
+
+}  // namespace line_plane_segmentation
