@@ -7,7 +7,7 @@
 #include <limits>
 #include <vector>
 
-#include "label_colors.h"
+#include "label_tables.h"
 #include "line_plane_segmentation/ros/conversions.h"
 
 namespace line_plane_segmentation {
@@ -37,7 +37,7 @@ sensor_msgs::PointCloud2::Ptr coloredCloud(const SegmentedFrame& frame) {
   const int height = frame.segmentation.height;
 
   auto cloud = boost::make_shared<sensor_msgs::PointCloud2>();
-  cloud->header = frame.header;
+  cloud->header = frame.published.header;
   cloud->is_bigendian = boost::endian::order::native == boost::endian::order::big;
   cloud->is_dense = false;
   sensor_msgs::PointCloud2Modifier modifier(*cloud);
@@ -55,14 +55,19 @@ sensor_msgs::PointCloud2::Ptr coloredCloud(const SegmentedFrame& frame) {
   const std::uint16_t* label = frame.segmentation.labels.data();
   sensor_msgs::PointCloud2Iterator<float> xyz(*cloud, "x");
   sensor_msgs::PointCloud2Iterator<std::uint32_t> rgb(*cloud, "rgb");
+  const Eigen::Matrix3f rotation = frame.published.placement.linear().cast<float>();
+  const Eigen::Vector3f translation = frame.published.placement.translation().cast<float>();
   for (int v = 0; v < height; ++v) {
     loadRow(frame.depth, v, frame.range, depth.data());
+    // A pixel's point is z (slope_x, slope_y, 1), turned and moved to where the cloud is wanted.
     const auto slope_y = static_cast<float>((v - frame.camera.cy) / frame.camera.fy);
+    const Eigen::Vector3f row = rotation * Eigen::Vector3f(0.0F, slope_y, 1.0F);
     for (std::size_t u = 0; u < depth.size(); ++u, ++xyz, ++rgb, ++label) {
       const float z = depth[u] > 0.0F ? depth[u] : std::numeric_limits<float>::quiet_NaN();
-      xyz[0] = slopes[u] * z;
-      xyz[1] = slope_y * z;
-      xyz[2] = z;
+      const Eigen::Vector3f point = z * (slopes[u] * rotation.col(0) + row) + translation;
+      xyz[0] = point.x();
+      xyz[1] = point.y();
+      xyz[2] = point.z();
       *rgb = packed(colors[*label]);
     }
   }

@@ -72,8 +72,11 @@ void FrameProcessor::process(const CameraFrame& frame) {
   advice_.segmented(input, segmenter_.range(), segmentation);
 
   const auto outputs_started = std::chrono::steady_clock::now();
-  idsFromLabels(segmentation, ids_);
-  outputs_.publish(segmenter_.result(ids_));
+  ids_.clear();
+  for (const SegmentedPlane& plane : segmentation.planes) ids_.push_back(plane.label);
+  published_.header = segmenter_.header();
+  publishPlanes(segmentation, ids_, std::nullopt, OrientationParameters{}, published_);
+  outputs_.publish(segmenter_.result(published_));
   const std::chrono::duration<double, std::milli> output_time =
       std::chrono::steady_clock::now() - outputs_started;
   statistics_.processed(segmentation, segmenter_.clock(), output_time.count(), frame_id);

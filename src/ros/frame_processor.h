@@ -55,6 +55,7 @@ class FrameProcessor {
   InputAdvice advice_;
   FrameSegmenter segmenter_;
   std::vector<std::uint32_t> ids_;
+  PublishedPlanes published_;
   bool tracing_outlines_ = true;
 
   std::thread thread_;

@@ -25,8 +25,8 @@ const Validation& FrameSegmenter::segment(const CameraFrame& frame) {
   return input_;
 }
 
-SegmentedFrame FrameSegmenter::result(const std::vector<std::uint32_t>& ids) const {
-  return {header_, input_.view, range_, input_.camera, *segmentation_, ids, clock_.totalMilliseconds()};
+SegmentedFrame FrameSegmenter::result(const PublishedPlanes& published) const {
+  return {header_, input_.view, range_, input_.camera, *segmentation_, published, clock_.totalMilliseconds()};
 }
 
 }  // namespace line_plane_segmentation

@@ -3,9 +3,6 @@
 
 #include <std_msgs/Header.h>
 
-#include <cstdint>
-#include <vector>
-
 #include "line_plane_segmentation/parameters.h"
 #include "line_plane_segmentation/plane_segmenter.h"
 #include "line_plane_segmentation/ros/conversions.h"
@@ -39,8 +36,8 @@ class FrameSegmenter {
   const StageClock& clock() const { return clock_; }
 
   /// All that messages are made from, valid until the next frame.
-  /// @param ids  of the planes, in their order
-  SegmentedFrame result(const std::vector<std::uint32_t>& ids) const;
+  /// @param published  what publishPlanes() made of the segmentation; must live as long
+  SegmentedFrame result(const PublishedPlanes& published) const;
 
  private:
   InputLimits limits_;

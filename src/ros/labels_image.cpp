@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <sensor_msgs/image_encodings.h>
 
+#include <cstdint>
 #include <cstring>
+#include <vector>
 
 #include "image_message.h"
+#include "label_tables.h"
 #include "line_plane_segmentation/ros/conversions.h"
 
 namespace line_plane_segmentation {
@@ -12,7 +15,12 @@ sensor_msgs::Image::Ptr labelsImage(const SegmentedFrame& frame) {
   const Segmentation& segmentation = frame.segmentation;
   auto image = makeImage(frame.header, sensor_msgs::image_encodings::TYPE_16UC1, segmentation.width,
                          segmentation.height, sizeof(std::uint16_t));
-  if (!image->data.empty()) std::memcpy(image->data.data(), segmentation.labels.data(), image->data.size());
+  const std::vector<std::uint16_t> published = publishedLabels(frame);
+  std::uint8_t* pixel = image->data.data();
+  for (const std::uint16_t label : segmentation.labels) {
+    std::memcpy(pixel, &published[label], sizeof label);
+    pixel += sizeof label;
+  }
   return image;
 }
 

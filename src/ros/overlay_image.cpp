@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "image_message.h"
-#include "label_colors.h"
+#include "label_tables.h"
 #include "line_plane_segmentation/ros/conversions.h"
 
 namespace line_plane_segmentation {
@@ -33,6 +33,7 @@ sensor_msgs::Image::Ptr overlayImage(const SegmentedFrame& frame) {
   auto image = makeImage(frame.header, sensor_msgs::image_encodings::RGB8, width, height, 3);
 
   const std::vector<Color> colors = labelColors(frame, Color{});
+  const std::vector<std::uint16_t> published = publishedLabels(frame);
   std::vector<float> depth(static_cast<std::size_t>(width));
   const std::uint16_t* label = frame.segmentation.labels.data();
   std::uint8_t* pixel = image->data.data();
@@ -41,7 +42,7 @@ sensor_msgs::Image::Ptr overlayImage(const SegmentedFrame& frame) {
     for (const float z : depth) {
       const std::uint8_t grey = greyOf(z);
       const Color& color = colors[*label];
-      const bool in_plane = *label != 0;
+      const bool in_plane = published[*label] != 0;
       pixel[0] = in_plane ? tinted(grey, color.r) : grey;
       pixel[1] = in_plane ? tinted(grey, color.g) : grey;
       pixel[2] = in_plane ? tinted(grey, color.b) : grey;

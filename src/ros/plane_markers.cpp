@@ -5,6 +5,8 @@
 #include <cstddef>
 #include <cstdio>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "line_plane_segmentation/ros/conversions.h"
 #include "line_plane_segmentation/ros/palette.h"
@@ -49,18 +51,17 @@ Marker makeMarker(const std_msgs::Header& header, const char* name_space, std::u
 }
 
 // All rings of the plane as one list of lines.
-Marker outlineMarker(const SegmentedFrame& frame, const SegmentedPlane& plane, std::uint32_t id) {
-  Marker marker = makeMarker(frame.header, "outlines", id, Marker::LINE_LIST);
+Marker outlineMarker(const SegmentedFrame& frame, const PublishedPlane& published) {
+  const SegmentedPlane& plane = published.plane;
+  Marker marker = makeMarker(frame.published.header, "outlines", published.id, Marker::LINE_LIST);
   marker.scale.x = kLineWidth;
-  const Segmentation& segmentation = frame.segmentation;
+  const std::vector<Eigen::Vector3f>& vertices = frame.published.vertices;
   for (int r = 0; r < plane.outer_ring_count + plane.hole_count; ++r) {
-    const Ring& ring = segmentation.rings[static_cast<std::size_t>(plane.first_ring + r)];
+    const Ring& ring = frame.segmentation.rings[static_cast<std::size_t>(plane.first_ring + r)];
     for (int i = 0; i < ring.vertex_count; ++i) {
       const int next = (i + 1) % ring.vertex_count;
-      marker.points.push_back(
-          pointOf(segmentation.vertices[static_cast<std::size_t>(ring.first_vertex + i)]));
-      marker.points.push_back(
-          pointOf(segmentation.vertices[static_cast<std::size_t>(ring.first_vertex + next)]));
+      marker.points.push_back(pointOf(vertices[static_cast<std::size_t>(ring.first_vertex + i)]));
+      marker.points.push_back(pointOf(vertices[static_cast<std::size_t>(ring.first_vertex + next)]));
     }
   }
   return marker;
@@ -74,8 +75,9 @@ double textHeight(const SegmentedPlane& plane) {
   return std::min(std::max(0.3 * std::sqrt(plane.area), 0.03), 0.12);
 }
 
-Marker normalMarker(const SegmentedFrame& frame, const SegmentedPlane& plane, std::uint32_t id) {
-  Marker marker = makeMarker(frame.header, "normals", id, Marker::ARROW);
+Marker normalMarker(const std_msgs::Header& header, const PublishedPlane& published) {
+  const SegmentedPlane& plane = published.plane;
+  Marker marker = makeMarker(header, "normals", published.id, Marker::ARROW);
   const double length = arrowLength(plane);
   marker.points = {pointOf(plane.centroid), pointOf((plane.centroid + length * plane.normal).eval())};
   marker.scale.x = kLineWidth;
@@ -84,30 +86,31 @@ Marker normalMarker(const SegmentedFrame& frame, const SegmentedPlane& plane, st
   return marker;
 }
 
-Marker textMarker(const SegmentedFrame& frame, const SegmentedPlane& plane, std::uint32_t id) {
-  Marker marker = makeMarker(frame.header, "ids", id, Marker::TEXT_VIEW_FACING);
+Marker textMarker(const std_msgs::Header& header, const PublishedPlane& published) {
+  const SegmentedPlane& plane = published.plane;
+  Marker marker = makeMarker(header, "ids", published.id, Marker::TEXT_VIEW_FACING);
   marker.pose.position = pointOf((plane.centroid + 1.2 * arrowLength(plane) * plane.normal).eval());
   marker.scale.z = textHeight(plane);
   char area[32];
   std::snprintf(area, sizeof area, "%.2f", plane.area);
-  marker.text = std::to_string(id) + ": " + area + " m^2";
+  marker.text = std::to_string(published.id) + ": " + area + " m^2";
   return marker;
 }
 
 }  // namespace
 
 visualization_msgs::MarkerArray::Ptr planeMarkers(const SegmentedFrame& frame) {
+  const std_msgs::Header& header = frame.published.header;
   auto markers = boost::make_shared<visualization_msgs::MarkerArray>();
-  Marker delete_all = makeMarker(frame.header, "", 0, Marker::CUBE);
+  Marker delete_all = makeMarker(header, "", 0, Marker::CUBE);
   delete_all.action = Marker::DELETEALL;
   markers->markers.push_back(delete_all);
 
-  for (std::size_t k = 0; k < frame.segmentation.planes.size(); ++k) {
-    const SegmentedPlane& plane = frame.segmentation.planes[k];
-    Marker outline = outlineMarker(frame, plane, frame.ids[k]);
+  for (const PublishedPlane& published : frame.published.planes) {
+    Marker outline = outlineMarker(frame, published);
     if (!outline.points.empty()) markers->markers.push_back(std::move(outline));
-    markers->markers.push_back(normalMarker(frame, plane, frame.ids[k]));
-    markers->markers.push_back(textMarker(frame, plane, frame.ids[k]));
+    markers->markers.push_back(normalMarker(header, published));
+    markers->markers.push_back(textMarker(header, published));
   }
   return markers;
 }

@@ -1,17 +1,26 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <boost/make_shared.hpp>
 #include <cstddef>
+#include <cstdint>
+#include <vector>
 
 #include "line_plane_segmentation/ros/conversions.h"
 
 namespace line_plane_segmentation {
 namespace {
 
-geometry_msgs::Polygon polygonOf(const Segmentation& segmentation, const Ring& ring) {
+static_assert(static_cast<int>(Orientation::kUnknown) == Plane::UNKNOWN &&
+                  static_cast<int>(Orientation::kHorizontalUp) == Plane::HORIZONTAL_UP &&
+                  static_cast<int>(Orientation::kHorizontalDown) == Plane::HORIZONTAL_DOWN &&
+                  static_cast<int>(Orientation::kVertical) == Plane::VERTICAL &&
+                  static_cast<int>(Orientation::kSlanted) == Plane::SLANTED,
+              "the message has the numbers of the core");
+
+geometry_msgs::Polygon polygonOf(const std::vector<Eigen::Vector3f>& vertices, const Ring& ring) {
   geometry_msgs::Polygon polygon;
   polygon.points.reserve(static_cast<std::size_t>(ring.vertex_count));
   for (int i = 0; i < ring.vertex_count; ++i) {
-    const Eigen::Vector3f& vertex = segmentation.vertices[static_cast<std::size_t>(ring.first_vertex + i)];
+    const Eigen::Vector3f& vertex = vertices[static_cast<std::size_t>(ring.first_vertex + i)];
     geometry_msgs::Point32 point;
     point.x = vertex.x();
     point.y = vertex.y();
@@ -21,22 +30,24 @@ geometry_msgs::Polygon polygonOf(const Segmentation& segmentation, const Ring& r
   return polygon;
 }
 
-void addPolygons(const Segmentation& segmentation, const SegmentedPlane& plane, Plane& message) {
+void addPolygons(const SegmentedFrame& frame, const SegmentedPlane& plane, Plane& message) {
+  const std::vector<Eigen::Vector3f>& vertices = frame.published.vertices;
   for (int i = 0; i < plane.outer_ring_count + plane.hole_count; ++i) {
-    const Ring& ring = segmentation.rings[static_cast<std::size_t>(plane.first_ring + i)];
+    const Ring& ring = frame.segmentation.rings[static_cast<std::size_t>(plane.first_ring + i)];
     if (i == 0) {
-      message.outline = polygonOf(segmentation, ring);
+      message.outline = polygonOf(vertices, ring);
     } else if (i < plane.outer_ring_count) {
-      message.other_parts.push_back(polygonOf(segmentation, ring));
+      message.other_parts.push_back(polygonOf(vertices, ring));
     } else {
-      message.holes.push_back(polygonOf(segmentation, ring));
+      message.holes.push_back(polygonOf(vertices, ring));
     }
   }
 }
 
-Plane planeMessage(const Segmentation& segmentation, const SegmentedPlane& plane, std::uint32_t id) {
+Plane planeMessage(const SegmentedFrame& frame, const PublishedPlane& published) {
+  const SegmentedPlane& plane = published.plane;
   Plane message;
-  message.id = id;
+  message.id = published.id;
   message.label = plane.label;
   message.coefficients.coef = {plane.normal.x(), plane.normal.y(), plane.normal.z(), plane.d};
   for (int row = 0; row < 4; ++row) {
@@ -50,30 +61,25 @@ Plane planeMessage(const Segmentation& segmentation, const SegmentedPlane& plane
   message.inliers = plane.inliers;
   message.rms = static_cast<float>(plane.rms);
   message.area = static_cast<float>(plane.area);
-  addPolygons(segmentation, plane, message);
-  message.orientation = Plane::UNKNOWN;
+  addPolygons(frame, plane, message);
+  message.orientation = static_cast<std::uint8_t>(published.orientation);
   return message;
 }
 
 }  // namespace
 
-void idsFromLabels(const Segmentation& segmentation, std::vector<std::uint32_t>& ids) {
-  ids.clear();
-  for (const SegmentedPlane& plane : segmentation.planes) ids.push_back(plane.label);
-}
-
 PlaneArray::Ptr planesMessage(const SegmentedFrame& frame) {
   const Segmentation& segmentation = frame.segmentation;
   auto message = boost::make_shared<PlaneArray>();
-  message->header = frame.header;
-  message->planes.reserve(segmentation.planes.size());
-  for (std::size_t k = 0; k < segmentation.planes.size(); ++k) {
-    message->planes.push_back(planeMessage(segmentation, segmentation.planes[k], frame.ids[k]));
+  message->header = frame.published.header;
+  message->planes.reserve(frame.published.planes.size());
+  for (const PublishedPlane& published : frame.published.planes) {
+    message->planes.push_back(planeMessage(frame, published));
+    message->assigned_pixels += published.plane.inliers;
   }
   message->image_width = static_cast<std::uint32_t>(segmentation.width);
   message->image_height = static_cast<std::uint32_t>(segmentation.height);
   message->valid_pixels = segmentation.valid_pixels;
-  message->assigned_pixels = segmentation.assigned_pixels;
   message->processing_time = static_cast<float>(frame.processing_time);
   return message;
 }

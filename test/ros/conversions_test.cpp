@@ -8,6 +8,7 @@
 
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <vector>
 
 #include "line_plane_segmentation/ros/palette.h"
@@ -39,7 +40,6 @@ class Conversions : public testing::Test {
     }
     segmentation_.labels[0] = 0;
     segmentation_.valid_pixels = 30;
-    segmentation_.assigned_pixels = 23;
   }
 
   void addPlanes() {
@@ -60,6 +60,7 @@ class Conversions : public testing::Test {
     plane.hole_count = 1;
     segmentation_.planes.push_back(plane);
     plane.label = 2;
+    plane.inliers = 8;
     plane.first_ring = 3;
     plane.outer_ring_count = plane.hole_count = 0;
     segmentation_.planes.push_back(plane);
@@ -67,8 +68,9 @@ class Conversions : public testing::Test {
 
   SegmentedFrame frame() {
     view_ = viewOf(depth_.data(), kWidth, kHeight);
-    if (ids_.empty()) idsFromLabels(segmentation_, ids_);
-    return {header_, view_, range_, camera_, segmentation_, ids_, 7.5};
+    published_.header = header_;
+    publishPlanes(segmentation_, ids_, up_, orientation_, published_);
+    return {header_, view_, range_, camera_, segmentation_, published_, 7.5};
   }
 
   void addRing(float x) {
@@ -89,7 +91,10 @@ class Conversions : public testing::Test {
   DepthRange range_{0.3F, 10.0F};
   CameraIntrinsics camera_ = testCamera(kWidth, kHeight);
   Segmentation segmentation_;
-  std::vector<std::uint32_t> ids_;
+  std::vector<std::uint32_t> ids_{1, 2};
+  std::optional<Eigen::Vector3d> up_;
+  OrientationParameters orientation_;
+  PublishedPlanes published_;
 };
 
 TEST_F(Conversions, planesTellAll) {
@@ -253,8 +258,8 @@ TEST(EmptyFrame, makesEmptyMessages) {
   const DepthRange range;
   const CameraIntrinsics camera = testCamera(8, 4);
   const Segmentation segmentation;
-  const std::vector<std::uint32_t> ids;
-  const SegmentedFrame frame{header, depth, range, camera, segmentation, ids};
+  const PublishedPlanes published;
+  const SegmentedFrame frame{header, depth, range, camera, segmentation, published};
   EXPECT_TRUE(planesMessage(frame)->planes.empty());
   EXPECT_TRUE(labelsImage(frame)->data.empty());
   EXPECT_TRUE(coloredCloud(frame)->data.empty());

@@ -7,33 +7,28 @@
 #include <std_msgs/Header.h>
 #include <visualization_msgs/MarkerArray.h>
 
-#include <cstdint>
-#include <vector>
-
 #include "line_plane_segmentation/camera_intrinsics.h"
 #include "line_plane_segmentation/depth_view.h"
+#include "line_plane_segmentation/ros/published_planes.h"
 #include "line_plane_segmentation/segmentation.h"
 
 namespace line_plane_segmentation {
 
 /// A segmented depth image and all that its messages are made from. Owns none of it.
 struct SegmentedFrame {
-  const std_msgs::Header& header;  ///< of every message: the depth image's stamp and frame
+  const std_msgs::Header& header;  ///< of the images: the depth image's stamp and frame
   const DepthView& depth;
   const DepthRange& range;  ///< [m] that was looked at
   const CameraIntrinsics& camera;
   const Segmentation& segmentation;
-  const std::vector<std::uint32_t>& ids;  ///< of each plane, in the order of segmentation.planes
-  double processing_time = 0.0;           ///< [ms] that the segmentation took
+  const PublishedPlanes& published;  ///< what is told of its planes, and the header of everything else
+  double processing_time = 0.0;      ///< [ms] that the segmentation took
 };
-
-/// The ids of planes that nobody tracks: their labels.
-void idsFromLabels(const Segmentation& segmentation, std::vector<std::uint32_t>& ids);
 
 /// Everything about the planes, in one message. Every number is finite.
 PlaneArray::Ptr planesMessage(const SegmentedFrame& frame);
 
-/// 16UC1: 0 no plane, k the plane with label k.
+/// 16UC1: 0 no plane that is published, k the plane with label k.
 sensor_msgs::Image::Ptr labelsImage(const SegmentedFrame& frame);
 
 /// Organised XYZRGB, a point for each pixel, in the colours of the planes' ids, grey without a plane.

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "line_plane_segmentation/plane_transform.h"
+
+namespace line_plane_segmentation {
+
+SegmentedPlane transformed(const SegmentedPlane& plane, const Eigen::Isometry3d& placement) {
+  SegmentedPlane result = plane;
+  result.normal = placement.linear() * plane.normal;
+  // n . p + d is the same for the same point, and q = R p + t: d' = d - R n . t.
+  result.d = plane.d - result.normal.dot(placement.translation());
+  result.centroid = placement * plane.centroid;
+
+  Eigen::Matrix4d jacobian = Eigen::Matrix4d::Identity();
+  jacobian.topLeftCorner<3, 3>() = placement.linear();
+  jacobian.bottomLeftCorner<1, 3>() = -placement.translation().transpose() * placement.linear();
+  result.covariance = jacobian * plane.covariance * jacobian.transpose();
+  return result;
+}
+
+}  // namespace line_plane_segmentation
