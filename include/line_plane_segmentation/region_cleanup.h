@@ -11,10 +11,10 @@
 
 namespace line_plane_segmentation {
 
-/// Refinement: tidies a label image. A connected piece of fewer than min_region_pixels, of a plane or of
-/// none, becomes part of what most of its border touches, so that noise leaves no speckles and no pinholes,
-/// unless it lies off that plane; then planes that are too small go, and the rest are numbered from 1, the
-/// largest first.
+/// Refinement: tidies a label image. A connected piece of fewer than min_region_pixels, or of eight times as
+/// many if it is of no plane, becomes part of what most of its border touches without a step in depth, so
+/// that noise leaves no speckles and no pinholes, and distortion no gaps, unless it lies off that plane; then
+/// planes that are too small go, and the rest are numbered from 1, the largest first.
 class RegionCleaner {
  public:
   /// @param image  its labels are k + 1 for cluster k, 0 for no plane, and kNoDepthLabel
@@ -35,8 +35,8 @@ class RegionCleaner {
 
   int find(int run);
   void connect(const LabelRuns& image);
-  void touch(int piece, std::uint16_t label, int length);
-  void findContacts(const LabelRuns& image, int min_pixels);
+  void addContact(int piece, std::uint16_t label, int length);
+  void findContacts(const DepthImage& depth, const Parameters& parameters, const LabelRuns& image);
   std::uint16_t mostTouched(int piece) const;
   void chooseLabels(const DepthImage& depth, const ViewRays& rays, const std::vector<PatchCluster>& clusters,
                     const Parameters& parameters, const LabelRuns& image);

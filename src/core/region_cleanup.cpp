@@ -10,6 +10,26 @@ namespace {
 constexpr double kMaxMeanError =
     2.0;  // [-] in tolerances; a piece farther from the plane around it is not of it
 
+// Where a plane of the sensor's bends, as it does in the corners of the picture, pixels in no plane lie
+// beside it without a step, in larger pieces than noise makes.
+constexpr int kMaxGapRegions = 8;  // [-] in min_region_pixels; a larger piece in no plane stays in none
+constexpr double kMaxStep = 1.0;   // [-] in tolerances along the ray; neighbours farther apart do not touch
+
+// Whether a piece is so small that it may go to what surrounds it.
+bool isSmall(std::uint16_t label, int pixels, int min_region_pixels) {
+  return pixels < (label == 0 ? kMaxGapRegions * min_region_pixels : min_region_pixels);
+}
+
+// How many of two rows' pixels lie at the same depth, within the tolerance.
+int countTouching(const float* z, const float* other, int count, const DepthTolerance& tolerance) {
+  int touching = 0;
+  for (int i = 0; i < count; ++i) {
+    const double w = 1.0 / static_cast<double>(z[i]), w_other = 1.0 / static_cast<double>(other[i]);
+    touching += std::fabs(w - w_other) < tolerance.along(std::min(w, w_other)) ? 1 : 0;
+  }
+  return touching;
+}
+
 }  // namespace
 
 int RegionCleaner::find(int run) {
@@ -36,7 +56,7 @@ void RegionCleaner::connect(const LabelRuns& image) {
   }
 }
 
-void RegionCleaner::touch(int piece, std::uint16_t label, int length) {
+void RegionCleaner::addContact(int piece, std::uint16_t label, int length) {
   int& first = first_contact_[static_cast<std::size_t>(piece)];
   for (int i = first; i >= 0; i = contacts_[static_cast<std::size_t>(i)].next) {
     if (contacts_[static_cast<std::size_t>(i)].label != label) continue;
@@ -47,20 +67,33 @@ void RegionCleaner::touch(int piece, std::uint16_t label, int length) {
   first = static_cast<int>(contacts_.size()) - 1;
 }
 
-void RegionCleaner::findContacts(const LabelRuns& image, int min_pixels) {
+// What the small pieces touch, as lengths of border; where there is a step in depth they touch label 0.
+void RegionCleaner::findContacts(const DepthImage& depth, const Parameters& parameters,
+                                 const LabelRuns& image) {
   contacts_.clear();
   first_contact_.assign(parent_.size(), -1);
-  const auto meet = [&](std::size_t i, std::size_t j, int length) {
-    const std::uint16_t a = image.runs[i].label, b = image.runs[j].label;
-    if (a == b || a == kNoDepthLabel || b == kNoDepthLabel) return;
-    const bool a_is_small = pixels_[static_cast<std::size_t>(parent_[i])] < min_pixels;
-    const bool b_is_small = pixels_[static_cast<std::size_t>(parent_[j])] < min_pixels;
-    if (a_is_small && !b_is_small) touch(parent_[i], b, length);
-    if (b_is_small && !a_is_small) touch(parent_[j], a, length);
+  const int min_pixels = parameters.cleanup.min_region_pixels;
+  const DepthTolerance tolerance{parameters.noise, kMaxStep * parameters.extraction.distance_noise_factor};
+  // Pixels of run i from column `first_i` on, and their neighbours of run j.
+  const auto meet = [&](std::size_t i, std::size_t j, int first_i, int first_j, int length) {
+    const LabelRun &a = image.runs[i], &b = image.runs[j];
+    if (a.label == b.label || a.label == kNoDepthLabel || b.label == kNoDepthLabel) return;
+    const bool a_is_small = isSmall(a.label, pixels_[static_cast<std::size_t>(parent_[i])], min_pixels);
+    const bool b_is_small = isSmall(b.label, pixels_[static_cast<std::size_t>(parent_[j])], min_pixels);
+    if (a_is_small == b_is_small) return;
+    const int touching =
+        countTouching(depth.row(a.row) + first_i, depth.row(b.row) + first_j, length, tolerance);
+    const int piece = parent_[a_is_small ? i : j];
+    if (touching > 0) addContact(piece, a_is_small ? b.label : a.label, touching);
+    if (touching < length) addContact(piece, 0, length - touching);
   };
-  forEachVerticalContact(image, meet);
+  forEachVerticalContact(image, [&](std::size_t above, std::size_t below, int length) {
+    const int first = std::max(image.runs[above].first, image.runs[below].first);
+    meet(above, below, first, first, length);
+  });
   for (std::size_t i = 1; i < image.runs.size(); ++i) {
-    if (image.runs[i].row == image.runs[i - 1].row) meet(i - 1, i, 1);
+    const int first = image.runs[i].first;
+    if (image.runs[i].row == image.runs[i - 1].row) meet(i - 1, i, first - 1, first, 1);
   }
 }
 
@@ -117,7 +150,7 @@ void RegionCleaner::chooseLabels(const DepthImage& depth, const ViewRays& rays,
   for (std::size_t i = 0; i < image.runs.size(); ++i) {
     const LabelRun& run = image.runs[i];
     const std::size_t piece = static_cast<std::size_t>(parent_[i]);
-    if (run.label == kNoDepthLabel || pixels_[piece] >= min_pixels) continue;
+    if (run.label == kNoDepthLabel || !isSmall(run.label, pixels_[piece], min_pixels)) continue;
     if (piece == i) new_label_[piece] = mostTouched(parent_[i]);  // its first run
     if (new_label_[piece] == 0) continue;
     const InverseDepthPlane& plane = clusters[new_label_[piece] - 1U].plane;
@@ -139,12 +172,13 @@ int RegionCleaner::clean(const DepthImage& depth, const ViewRays& rays,
                          LabelRuns& image) {
   const int min_pixels = parameters.cleanup.min_region_pixels;
   connect(image);
-  findContacts(image, min_pixels);
+  findContacts(depth, parameters, image);
   chooseLabels(depth, rays, clusters, parameters, image);
   for (std::size_t i = 0; i < image.runs.size(); ++i) {
     const std::size_t piece = static_cast<std::size_t>(parent_[i]);
-    if (image.runs[i].label != kNoDepthLabel && pixels_[piece] < min_pixels)
-      image.runs[i].label = new_label_[piece];
+    LabelRun& run = image.runs[i];
+    if (run.label != kNoDepthLabel && isSmall(run.label, pixels_[piece], min_pixels))
+      run.label = new_label_[piece];
   }
   const int plane_count =
       renumber(parameters.extraction.min_plane_inliers, static_cast<int>(clusters.size()), image);

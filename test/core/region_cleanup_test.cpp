@@ -87,23 +87,57 @@ TEST(RegionCleaner, GivesSmallPiecesToThePlaneAroundThem) {
 
 TEST(RegionCleaner, LeavesLargePieces) {
   TwoWalls walls;
-  walls.label(0, {5, 10, 5, 9});  // 20 pixels: as many as it takes
+  walls.label(2, {5, 10, 5, 9});     // 20 pixels: as many as it takes for a piece of a plane
+  walls.label(0, {5, 15, 20, 36});   // 160 pixels: eight times as many for one of none
+  walls.label(0, {18, 23, 10, 14});  // 20 pixels
   walls.clean();
-  EXPECT_EQ(walls.at(7, 7), 0);
-  EXPECT_EQ(walls.pixelsOf(0), 20);
+  EXPECT_EQ(walls.at(7, 7), walls.at(50, 7));
+  EXPECT_EQ(walls.pixelsOf(0), 160);
+  EXPECT_EQ(walls.at(7, 25), 0);
+}
+
+// A box on a table lies near its plane, but one sees where it begins.
+TEST(RegionCleaner, LeavesWhatStandsOutByAStep) {
+  TwoWalls walls;
+  const Region box = {5, 15, 5, 15};
+  const float step = 0.02F;
+  for (int v = box.first_v; v < box.last_v; ++v) {
+    for (int u = box.first_u; u < box.last_u; ++u) walls.depth.z[walls.depth.index(u, v)] -= step;
+  }
+  walls.label(0, box);
+  walls.parameters.extraction.plane_distance = 0.015;
+  walls.parameters.extraction.distance_noise_factor = 4.0;
+  const double noise = 4.0 * walls.parameters.noise.sigma(1.5);
+  ASSERT_GT(step, noise) << "a step that noise does not make";
+  ASSERT_LT(step, 2.0 * noise) << "and near enough to the wall to be taken for it";
+  walls.clean();
+  EXPECT_EQ(walls.pixelsOf(0), 100);
+}
+
+TEST(RegionCleaner, FillsAGapWhereAPlaneBends) {
+  TwoWalls walls;
+  const Region corner = {0, 10, 0, 10};
+  for (int v = corner.first_v; v < corner.last_v; ++v) {
+    for (int u = corner.first_u; u < corner.last_u; ++u) {
+      walls.depth.z[walls.depth.index(u, v)] += 0.002F * static_cast<float>(10 - u);  // 2 cm at the border
+    }
+  }
+  walls.label(0, corner);
+  walls.clean();
+  EXPECT_EQ(walls.pixelsOf(0), 0);
 }
 
 TEST(RegionCleaner, CountsAPieceByWhatHangsTogether) {
   TwoWalls walls;
-  walls.label(0, {5, 9, 5, 9});      // 16 pixels
-  walls.label(0, {9, 13, 9, 13});    // 16 more, that touch them at a corner only
-  walls.label(0, {18, 22, 20, 24});  // 16 pixels
-  walls.label(0, {20, 24, 24, 26});  // 8 more, below them
+  walls.label(2, {5, 9, 5, 9});      // 16 pixels
+  walls.label(2, {9, 13, 9, 13});    // 16 more, that touch them at a corner only
+  walls.label(2, {18, 22, 20, 24});  // 16 pixels
+  walls.label(2, {20, 24, 24, 26});  // 8 more, below them
   walls.clean();
   EXPECT_EQ(walls.at(6, 6), walls.at(2, 30));
   EXPECT_EQ(walls.at(10, 10), walls.at(2, 30));
-  EXPECT_EQ(walls.at(19, 21), 0);
-  EXPECT_EQ(walls.at(23, 25), 0);
+  EXPECT_EQ(walls.at(19, 21), walls.at(50, 30));
+  EXPECT_EQ(walls.at(23, 25), walls.at(50, 30));
 }
 
 TEST(RegionCleaner, LeavesWhatLiesOffThePlaneAroundIt) {
