@@ -31,6 +31,14 @@ OutputFiles::~OutputFiles() {
   for (const auto& file : pending_) std::filesystem::remove(temporaryName(file), ignored);
 }
 
+std::filesystem::path OutputFiles::reserve(const std::filesystem::path& file) {
+  std::error_code ignored;
+  if (std::filesystem::is_directory(file, ignored)) throw BadInput(file.string() + ": is a folder");
+  pending_.push_back(file);
+  if (!std::ofstream(temporaryName(file))) throw BadInput(file.string() + ": cannot be written");
+  return temporaryName(file);
+}
+
 void OutputFiles::add(const std::filesystem::path& file, const void* bytes, std::size_t size) {
   pending_.push_back(file);
   std::ofstream stream(temporaryName(file), std::ios::binary);

@@ -20,6 +20,11 @@ class OutputFiles {
   OutputFiles(const OutputFiles&) = delete;
   OutputFiles& operator=(const OutputFiles&) = delete;
 
+  /// Takes in a file that somebody else writes, who has to be done before commit().
+  /// @return the temporary name to write it under
+  /// @throws BadInput if there is no folder for it, or it may not be written
+  std::filesystem::path reserve(const std::filesystem::path& file);
+
   /// @throws BadInput if the file cannot be written
   void add(const std::filesystem::path& file, const void* bytes, std::size_t size);
   void add(const std::filesystem::path& file, const std::string& text);

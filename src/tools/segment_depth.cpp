@@ -5,7 +5,6 @@
 #include <iostream>
 #include <opencv2/imgcodecs.hpp>
 #include <set>
-#include <sstream>
 #include <string>
 #include <vector>
 
@@ -16,6 +15,7 @@
 #include "line_plane_segmentation/stage_clock.h"
 #include "output_files.h"
 #include "overlay.h"
+#include "parameter_options.h"
 #include "planes_json.h"
 #include "run_tool.h"
 
@@ -41,28 +41,10 @@ po::options_description options() {
       "a table of frames in place of --camera, --depth-scale and IMAGE: columns frame, width, height, "
       "units_per_metre, "
       "fx, fy, cx, cy; the images are depth/FRAME.png beside it")(
-      "out", po::value<std::string>()->value_name("DIR"), "folder for the results, made if it is not there")(
-      "preset", po::value<std::string>()->value_name("NAME")->default_value("kinect"),
-      "kinect, short_range or paper")(
-      "set", po::value<std::vector<std::string>>()->value_name("PARAMETER=VALUE")->default_value({}, ""),
-      "change one parameter of the preset; may be given more than once")("help", "this text");
+      "out", po::value<std::string>()->value_name("DIR"), "folder for the results, made if it is not there");
+  addParameterOptions(shown);
+  shown.add_options()("help", "this text");
   return shown;
-}
-
-std::string parameterList() {
-  std::ostringstream text;
-  text << std::boolalpha
-       << "Parameters (default, smallest to largest; 0 as default: from the image's width)\n";
-  const Parameters defaults;
-  visitParameters(defaults, [&text](const std::string& name, auto value, auto min, auto max) {
-    text << "  " << name << std::string(24 - std::min<std::size_t>(name.size(), 23), ' ');
-    if constexpr (std::is_same_v<decltype(value), Method>) {
-      text << "adaptive, or paper\n";
-    } else {
-      text << value << ", " << min << " to " << max << '\n';
-    }
-  });
-  return text.str();
 }
 
 void printHelp() {
@@ -83,24 +65,6 @@ po::variables_map parse(int argc, char** argv) {
   po::positional_options_description positional;
   positional.add("image", -1);
   return parseOptions(argc, argv, all, positional);
-}
-
-Parameters parametersOf(const po::variables_map& given) {
-  Parameters parameters;
-  const auto& preset = given["preset"].as<std::string>();
-  if (!loadPreset(preset, parameters)) {
-    throw BadInput("no preset is named '" + preset + "'; there are kinect, short_range and paper");
-  }
-  for (const std::string& setting : given["set"].as<std::vector<std::string>>()) {
-    const std::size_t equals = setting.find('=');
-    if (equals == std::string::npos) throw BadInput("--set takes PARAMETER=VALUE, not '" + setting + "'");
-    const std::string problem =
-        setParameter(setting.substr(0, equals), setting.substr(equals + 1), parameters);
-    if (!problem.empty()) throw BadInput(problem);
-  }
-  const std::vector<std::string> changes = sanitize(parameters);
-  if (!changes.empty()) throw BadInput("these settings do not go together: " + changes.front());
-  return parameters;
 }
 
 std::vector<DepthFrame> framesOf(const po::variables_map& given) {

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <ros/time.h>
+#include <rosbag/bag.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+#include <string>
+
+#include "bag_input.h"
+#include "run_tool.h"
+
+namespace line_plane_segmentation {
+
+/// A bag that is being written.
+class BagOutput {
+ public:
+  /// @throws BadInput if the file cannot be written
+  BagOutput(const std::filesystem::path& file, rosbag::CompressionType compression);
+
+  /// Unless it was closed, what is in the file is no bag.
+  ~BagOutput();
+  BagOutput(const BagOutput&) = delete;
+  BagOutput& operator=(const BagOutput&) = delete;
+
+  /// @throws BadInput if there is no more room
+  template <typename Message>
+  void write(const std::string& topic, const ros::Time& time, const Message& message) {
+    guarded([&] { bag_->write(topic, std::max(time, ros::TIME_MIN), message); });
+  }
+
+  /// Writes a message as it came.
+  /// @throws BadInput if there is no more room
+  void copy(const BagMessage& message) {
+    guarded([&] {
+      bag_->write(message.topic, std::max(message.time, ros::TIME_MIN), *message.content, message.connection);
+    });
+  }
+
+  /// @throws BadInput if there is no more room
+  void close();
+
+ private:
+  template <typename Action>
+  void guarded(Action&& action) {
+    try {
+      action();
+    } catch (const std::exception& error) {
+      throw BadInput("the bag cannot be written: " + std::string(error.what()));
+    }
+  }
+
+  std::unique_ptr<rosbag::Bag> bag_;
+};
+
+}  // namespace line_plane_segmentation

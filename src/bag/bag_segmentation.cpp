@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <cstdio>
+#include <deque>
+#include <numeric>
+#include <optional>
+
+#include "bag_input.h"
+#include "bag_output.h"
+#include "bag_task.h"
+#include "depth_topics.h"
+#include "frame_segmenter.h"
+#include "interruption.h"
+#include "ordered_work.h"
+#include "output_files.h"
+#include "planes_csv.h"
+#include "progress.h"
+#include "run_tool.h"
+
+namespace line_plane_segmentation {
+namespace {
+
+/// A frame that is being worked on.
+struct Slot {
+  BagFrame frame;
+  FrameSegmenter segmenter;
+};
+
+class BagSegmentation {
+ public:
+  explicit BagSegmentation(const BagTask& task)
+      : task_(task), topics_(task.topics), in_(openBag(task.in, [this](const auto& topic, const auto& type) {
+          return task_.input || topics_.wants(topic, type);
+        })) {}
+
+  void run() {
+    checkNamedTopics();
+    OutputFiles files;
+    out_.emplace(files.reserve(task_.out), task_.compression);
+    if (!task_.csv.empty()) csv_.emplace(files.reserve(task_.csv));
+
+    std::vector<Slot> slots(slotsForAllCores());
+    for (Slot& slot : slots) slot.segmenter.setParameters(task_.parameters);
+    workInOrder(
+        slots, [this](Slot& slot) { return fill(slot); },
+        [](Slot& slot) { slot.segmenter.segment(slot.frame.messages); }, [this](Slot& slot) { write(slot); });
+    progress_.clear();
+
+    if (done_ == 0) throw BadInput(task_.in.string() + ": " + whyNothing());
+    out_->close();
+    if (csv_) csv_->close();
+    files.commit();
+    printSummary();
+    const std::string damage = damageText();
+    if (!damage.empty()) throw BadInput(task_.in.string() + ": " + damage + "; what could be read is done");
+  }
+
+ private:
+  void checkNamedTopics() const {
+    if (in_->topics().empty()) return;
+    for (const std::string& name : task_.topics) {
+      const auto found = in_->topics().find(name);
+      if (found == in_->topics().end()) throw BadInput(task_.in.string() + ": has no topic " + name);
+      if (found->second != "sensor_msgs/Image") {
+        throw BadInput(task_.in.string() + ": " + name + " is " + found->second + ", no sensor_msgs/Image");
+      }
+    }
+  }
+
+  bool fill(Slot& slot) {
+    stopIfInterrupted();
+    BagMessage message;
+    while (ready_.empty()) {
+      if (!in_->next(message)) return false;
+      if (task_.input) out_->copy(message);
+      try {
+        topics_.add(message, ready_);
+      } catch (const std::exception& error) {
+        ++broken_messages_;
+        broken_ = message.topic + ", " + error.what();
+      }
+    }
+    slot.frame = ready_.front();
+    ready_.pop_front();
+    return true;
+  }
+
+  void write(Slot& slot) {
+    const BagFrame& frame = slot.frame;
+    DepthTopic& topic = *frame.topic;
+    const Validation& input = slot.segmenter.input();
+    if (input.accepted()) {
+      ids_.clear();
+      for (const SegmentedPlane& plane : slot.segmenter.segmentation().planes) ids_.push_back(plane.label);
+      published_.header = slot.segmenter.header();
+      publishPlanes(slot.segmenter.segmentation(), ids_, std::nullopt, OrientationParameters{}, published_);
+      writeMessages(frame, slot.segmenter.result(published_));
+      ++topic.frames;
+      topic.planes += slot.segmenter.segmentation().planes.size();
+      ++done_;
+    } else {
+      ++topic.refused;
+      topic.refusal = explain(input.refusal, *frame.messages.image, *frame.messages.info);
+    }
+    progress_.update(done_, in_->share());
+  }
+
+  void writeMessages(const BagFrame& frame, const SegmentedFrame& result) {
+    const std::string& name = frame.topic->result_namespace;
+    const PlaneArray::Ptr planes = planesMessage(result);
+    out_->write(name + "/planes", frame.time, *planes);
+    if (csv_) csv_->add(frame.topic->image, *planes);
+    if (task_.labels) out_->write(name + "/labels", frame.time, *labelsImage(result));
+    if (task_.cloud) out_->write(name + "/cloud", frame.time, *coloredCloud(result));
+    if (task_.overlay) out_->write(name + "/overlay", frame.time, *overlayImage(result));
+    if (task_.markers) out_->write(name + "/markers", frame.time, *planeMarkers(result));
+  }
+
+  std::string whyNothing() const {
+    std::string text = damageText();
+    if (!text.empty()) text += "; ";
+    if (topics_.all().empty()) {
+      text += "holds no depth images";
+      for (const std::string& other : topics_.others()) text += ", but " + other;
+      return text;
+    }
+    const DepthTopic& topic = topics_.all().front();
+    if (topic.refused > 0) return text + topic.image + ": " + topic.refusal;
+    return text + "none of the " + std::to_string(topic.images) + " images of " + topic.image +
+           " has a camera_info of its stamp on " + topic.info;
+  }
+
+  std::string damageText() const {
+    if (broken_messages_ == 0) return in_->damage();
+    const std::string text = std::to_string(broken_messages_) + " broken messages (" + broken_ + ")";
+    return in_->damage().empty() ? text : in_->damage() + ", " + text;
+  }
+
+  void printSummary() const {
+    for (const DepthTopic& topic : topics_.all()) {
+      std::printf("%s -> %s: %zu frames, %zu planes", topic.image.c_str(), topic.result_namespace.c_str(),
+                  topic.frames, topic.planes);
+      const std::size_t unpaired = topic.images - topic.frames - topic.refused;
+      if (unpaired > 0) std::printf(", %zu images without camera_info", unpaired);
+      if (topic.refused > 0) std::printf(", %zu refused: %s", topic.refused, topic.refusal.c_str());
+      std::printf("\n");
+    }
+  }
+
+  const BagTask& task_;
+  DepthTopics topics_;
+  std::unique_ptr<BagInput> in_;
+  std::optional<BagOutput> out_;
+  std::optional<PlanesCsv> csv_;
+  Progress progress_;
+  std::deque<BagFrame> ready_;
+  std::vector<std::uint32_t> ids_;
+  PublishedPlanes published_;
+  std::size_t done_ = 0;
+  std::size_t broken_messages_ = 0;
+  std::string broken_;
+};
+
+}  // namespace
+
+void segmentBag(const BagTask& task) { BagSegmentation(task).run(); }
+
+}  // namespace line_plane_segmentation

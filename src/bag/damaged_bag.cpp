@@ -1,0 +1,218 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <ros/header.h>
+#include <rosbag/chunked_file.h>
+#include <rosbag/constants.h>
+#include <rosbag/stream.h>
+
+#include <algorithm>
+#include <array>
+#include <boost/make_shared.hpp>
+#include <cstring>
+#include <fstream>
+#include <vector>
+
+#include "bag_input.h"
+#include "run_tool.h"
+
+namespace line_plane_segmentation {
+namespace {
+
+using Bytes = std::vector<std::uint8_t>;
+
+constexpr std::uint32_t kLargestHeader = 1U << 20;
+constexpr std::uint32_t kLargestChunk = 1U << 30;
+
+std::uint32_t numberAt(const std::uint8_t* bytes) {  // little endian, as all numbers of a bag
+  return bytes[0] | static_cast<std::uint32_t>(bytes[1]) << 8 | static_cast<std::uint32_t>(bytes[2]) << 16 |
+         static_cast<std::uint32_t>(bytes[3]) << 24;
+}
+
+/// The named fields at the head of a record.
+class Fields {
+ public:
+  bool parse(std::uint8_t* bytes, std::uint32_t size) {
+    header_ = ros::Header();
+    std::string error;
+    return header_.parse(bytes, size, error);
+  }
+  std::string text(const std::string& name) const {
+    std::string value;
+    header_.getValue(name, value);
+    return value;
+  }
+  std::uint32_t number(const std::string& name, std::size_t at = 0) const {
+    const std::string bytes = text(name);
+    if (bytes.size() < at + 4) return 0;
+    return numberAt(reinterpret_cast<const std::uint8_t*>(bytes.data()) + at);
+  }
+  unsigned operation() const {
+    const std::string value = text(rosbag::OP_FIELD_NAME);
+    return value.size() == 1 ? static_cast<unsigned char>(value[0]) : 0;
+  }
+  boost::shared_ptr<ros::M_string> all() { return header_.getValues(); }
+
+ private:
+  ros::Header header_;
+};
+
+class DamagedBag : public BagInput {
+ public:
+  DamagedBag(const std::filesystem::path& file, MessageFilter wanted, std::string damage)
+      : stream_(file, std::ios::binary),
+        size_(std::filesystem::file_size(file)),
+        wanted_(std::move(wanted)),
+        damage_(std::move(damage)) {
+    std::string version;
+    std::getline(stream_, version);
+    at_ = static_cast<std::uint64_t>(stream_.tellg());
+  }
+
+  bool next(BagMessage& message) override {
+    for (;;) {
+      while (chunk_at_ < chunk_.size()) {
+        if (readFromChunk(message)) return true;
+      }
+      if (at_ == size_) return false;
+      const std::uint64_t record = at_;
+      if (readFromFile()) continue;
+      noteCut(record);
+      at_ = size_;
+    }
+  }
+
+  double share() const override {
+    return size_ == 0 ? 1.0 : static_cast<double>(at_) / static_cast<double>(size_);
+  }
+  const std::map<std::string, std::string>& topics() const override { return topics_; }
+  const std::string& damage() const override { return damage_; }
+
+ private:
+  struct Connection {
+    std::string topic;
+    boost::shared_ptr<ros::M_string> header;
+    bool wanted = false;
+  };
+
+  // Every record: length and bytes of its header, length and bytes of its data. What does not fit into the
+  // chunk is cut off, and with it the rest.
+  bool readFromChunk(BagMessage& message) {
+    std::uint8_t* const record = chunk_.data() + chunk_at_;
+    const std::uint64_t left = chunk_.size() - chunk_at_;
+    chunk_at_ = chunk_.size();
+    if (left < 8) return false;
+    const std::uint64_t header_size = numberAt(record);
+    if (header_size > left - 8 || !fields_.parse(record + 4, static_cast<std::uint32_t>(header_size))) {
+      return false;
+    }
+    const std::uint64_t data_size = numberAt(record + 4 + header_size);
+    if (data_size > left - 8 - header_size) return false;
+    chunk_at_ = chunk_.size() - left + 8 + header_size + data_size;
+
+    std::uint8_t* const data = record + 8 + header_size;
+    if (fields_.operation() == rosbag::OP_CONNECTION)
+      addConnection(data, static_cast<std::uint32_t>(data_size));
+    return fields_.operation() == rosbag::OP_MSG_DATA &&
+           makeMessage(data, static_cast<std::uint32_t>(data_size), message);
+  }
+
+  void addConnection(std::uint8_t* data, std::uint32_t size) {
+    const std::string topic = fields_.text(rosbag::TOPIC_FIELD_NAME);
+    const std::uint32_t id = fields_.number(rosbag::CONNECTION_FIELD_NAME);
+    Fields header;
+    if (!header.parse(data, size)) return;
+    connections_[id] = {topic, header.all(), wanted_(topic, header.text("type"))};
+  }
+
+  bool makeMessage(std::uint8_t* data, std::uint32_t size, BagMessage& message) const {
+    const auto found = connections_.find(fields_.number(rosbag::CONNECTION_FIELD_NAME));
+    if (found == connections_.end() || !found->second.wanted) return false;
+    ros::M_string& header = *found->second.header;
+    auto content = boost::make_shared<topic_tools::ShapeShifter>();
+    content->morph(header["md5sum"], header["type"], header["message_definition"], header["latching"]);
+    ros::serialization::IStream stream(data, size);
+    content->read(stream);
+    const ros::Time time(fields_.number(rosbag::TIME_FIELD_NAME), fields_.number(rosbag::TIME_FIELD_NAME, 4));
+    message = {found->second.topic, time, content, found->second.header};
+    return true;
+  }
+
+  // Takes the next record of the file, a chunk's content or a record outside of any, to be read from chunk_.
+  bool readFromFile() {
+    std::array<std::uint8_t, 4> number{};
+    Bytes header;
+    if (!read(number.data(), 4) || numberAt(number.data()) > kLargestHeader) return false;
+    header.resize(numberAt(number.data()));
+    if (!read(header.data(), header.size()) || !read(number.data(), 4)) return false;
+    if (!fields_.parse(header.data(), static_cast<std::uint32_t>(header.size()))) return false;
+    const std::uint64_t data_size = std::min<std::uint64_t>(numberAt(number.data()), size_ - at_);
+    if (data_size < numberAt(number.data())) noteCut(at_);
+    if (data_size > kLargestChunk) return false;
+    Bytes data(data_size);
+    if (!read(data.data(), data.size())) return false;
+
+    chunk_at_ = 0;
+    if (fields_.operation() == rosbag::OP_CHUNK) return decompress(data), true;
+    // While a chunk is being recorded its length is 0 in the file: its records then seem to be outside.
+    chunk_.clear();
+    append(static_cast<std::uint32_t>(header.size()), header);
+    append(numberAt(number.data()), data);
+    return true;
+  }
+
+  void noteCut(std::uint64_t byte) {
+    damage_ += ", and from byte " + std::to_string(byte) + " of " + std::to_string(size_) +
+               " on it is broken or cut off";
+  }
+
+  void append(std::uint32_t size, const Bytes& bytes) {
+    for (int shift = 0; shift < 32; shift += 8) chunk_.push_back(static_cast<std::uint8_t>(size >> shift));
+    chunk_.insert(chunk_.end(), bytes.begin(), bytes.end());
+  }
+
+  void decompress(Bytes& data) {
+    const std::string compression = fields_.text(rosbag::COMPRESSION_FIELD_NAME);
+    if (compression == rosbag::COMPRESSION_NONE) {
+      chunk_.swap(data);
+      return;
+    }
+    const std::uint32_t size = fields_.number(rosbag::SIZE_FIELD_NAME);
+    chunk_.assign(size <= kLargestChunk ? size : 0, 0);
+    try {
+      const auto kind =
+          compression == rosbag::COMPRESSION_BZ2 ? rosbag::compression::BZ2 : rosbag::compression::LZ4;
+      streams_.getStream(kind)->decompress(chunk_.data(), size, data.data(),
+                                           static_cast<unsigned>(data.size()));
+    } catch (const std::exception&) {
+      chunk_.clear();  // the next one may be whole
+    }
+  }
+
+  bool read(std::uint8_t* bytes, std::size_t size) {
+    if (size > size_ - at_) return false;
+    stream_.read(reinterpret_cast<char*>(bytes), static_cast<std::streamsize>(size));
+    at_ += size;
+    return static_cast<bool>(stream_);
+  }
+
+  std::ifstream stream_;
+  std::uint64_t size_;
+  std::uint64_t at_ = 0;
+  MessageFilter wanted_;
+  std::string damage_;
+  Fields fields_;
+  Bytes chunk_;
+  std::size_t chunk_at_ = 0;
+  std::map<std::uint32_t, Connection> connections_;
+  std::map<std::string, std::string> topics_;
+  rosbag::ChunkedFile no_file_;  // the decompressors want one
+  rosbag::StreamFactory streams_{&no_file_};
+};
+
+}  // namespace
+
+std::unique_ptr<BagInput> openDamagedBag(const std::filesystem::path& file, const MessageFilter& wanted,
+                                         const std::string& damage) {
+  return std::make_unique<DamagedBag>(file, wanted, damage);
+}
+
+}  // namespace line_plane_segmentation
