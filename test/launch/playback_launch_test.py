@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""playback.launch: every image of a bag is answered, from the first one on."""
+"""playback.launch: every image of a bag is answered, from the first one on, also with what segment_bag answered."""
 import array
 import os
 import signal
@@ -12,6 +12,7 @@ import unittest
 
 import genpy
 import rosbag
+import rosnode
 import rospy
 import rostest
 from geometry_msgs.msg import TransformStamped
@@ -64,7 +65,8 @@ class PlaybackLaunchTest(unittest.TestCase):
             self.assertLess(time.monotonic(), deadline, "nobody publishes " + topic)
             rospy.rostime.wallsleep(0.1)
 
-    def test_every_image_is_answered(self):
+    def play(self, folder, bag, *options):
+        """The answers to a bag of this folder, played by playback.launch without a window, and the nodes meanwhile."""
         arrays = []
         enough = threading.Event()
 
@@ -73,26 +75,42 @@ class PlaybackLaunchTest(unittest.TestCase):
             if len(arrays) >= FRAMES:
                 enough.set()
 
+        command = ["roslaunch", "line_plane_segmentation", "playback.launch", "rviz:=false", "bag:=" + bag,
+                   "depth_topic:=/kinect/depth/image_raw"]
+        launch = subprocess.Popen(command + list(options), cwd=folder, env=dict(os.environ, PWD=folder))
+        try:
+            self.wait_for_publisher(PLANES)
+            # Had playing begun by itself, these would be lost.
+            rospy.rostime.wallsleep(2.0)
+            subscriber = rospy.Subscriber(PLANES, PlaneArray, collect, queue_size=FRAMES)
+            enough.wait(30)
+            rospy.rostime.wallsleep(1.0)
+            nodes = rosnode.get_node_names()
+            subscriber.unregister()
+        finally:
+            launch.send_signal(signal.SIGINT)
+            launch.wait(30)
+        return arrays, nodes
+
+    def test_every_image_is_answered(self):
         with tempfile.TemporaryDirectory() as folder:
             stamps = write_bag(os.path.join(folder, "a wall.bag"), "/kinect/depth")
-            command = ["roslaunch", "line_plane_segmentation", "playback.launch", "rviz:=false", "bag:=a wall.bag",
-                       "depth_topic:=/kinect/depth/image_raw"]
-            launch = subprocess.Popen(command, cwd=folder, env=dict(os.environ, PWD=folder))
-            try:
-                self.wait_for_publisher(PLANES)
-                # Had playing begun by itself, these would be lost.
-                rospy.rostime.wallsleep(2.0)
-                rospy.Subscriber(PLANES, PlaneArray, collect, queue_size=FRAMES)
-                enough.wait(30)
-                rospy.rostime.wallsleep(1.0)
-            finally:
-                launch.send_signal(signal.SIGINT)
-                launch.wait(30)
-
+            arrays, _ = self.play(folder, "a wall.bag")
         self.assertEqual(stamps, [message.header.stamp for message in arrays])
         for message in arrays:
             self.assertEqual((WIDTH, HEIGHT), (message.image_width, message.image_height))
             self.assertEqual(1, len(message.planes), "one wall")
+
+    def test_what_segment_bag_made_is_shown(self):
+        with tempfile.TemporaryDirectory() as folder:
+            stamps = write_bag(os.path.join(folder, "in.bag"), "/kinect/depth")
+            subprocess.run(["rosrun", "line_plane_segmentation", "segment_bag", "in.bag", "out.bag", "--all", "--set",
+                            "max_range=1.9"], cwd=folder, check=True)
+            arrays, nodes = self.play(folder, "out.bag", "segmented:=true")
+        self.assertEqual(stamps, [message.header.stamp for message in arrays])
+        for message in arrays:
+            self.assertEqual(0, len(message.planes), "the wall is beyond the range: a segmenter here would find it")
+        self.assertNotIn("/camera/plane_segmenter", nodes)
 
 
 if __name__ == "__main__":
