@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <cstdio>
 #include <deque>
+#include <map>
 #include <numeric>
 #include <optional>
 
@@ -12,6 +13,7 @@
 #include "interruption.h"
 #include "ordered_work.h"
 #include "output_files.h"
+#include "plane_locator.h"
 #include "planes_csv.h"
 #include "progress.h"
 #include "run_tool.h"
@@ -89,11 +91,7 @@ class BagSegmentation {
     DepthTopic& topic = *frame.topic;
     const Validation& input = slot.segmenter.input();
     if (input.accepted()) {
-      ids_.clear();
-      for (const SegmentedPlane& plane : slot.segmenter.segmentation().planes) ids_.push_back(plane.label);
-      published_.header = slot.segmenter.header();
-      publishPlanes(slot.segmenter.segmentation(), ids_, std::nullopt, OrientationParameters{}, published_);
-      writeMessages(frame, slot.segmenter.result(published_));
+      writeMessages(frame, slot.segmenter.result(locate(topic, slot.segmenter)));
       ++topic.frames;
       topic.planes += slot.segmenter.segmentation().planes.size();
       ++done_;
@@ -102,6 +100,13 @@ class BagSegmentation {
       topic.refusal = explain(input.refusal, *frame.messages.image, *frame.messages.info);
     }
     progress_.update(done_, in_->share());
+  }
+
+  // In the order of the images: ids stay with their planes.
+  const PublishedPlanes& locate(const DepthTopic& topic, const FrameSegmenter& segmenter) {
+    PlaneLocator& locator = locators_.try_emplace(&topic, no_transforms_).first->second;
+    const std_msgs::Header& header = segmenter.header();
+    return locator.locate(segmenter.segmentation(), segmenter.input().camera, header, locator.lookUp(header));
   }
 
   void writeMessages(const BagFrame& frame, const SegmentedFrame& result) {
@@ -153,8 +158,8 @@ class BagSegmentation {
   std::optional<PlanesCsv> csv_;
   Progress progress_;
   std::deque<BagFrame> ready_;
-  std::vector<std::uint32_t> ids_;
-  PublishedPlanes published_;
+  tf2::BufferCore no_transforms_;
+  std::map<const DepthTopic*, PlaneLocator> locators_;
   std::size_t done_ = 0;
   std::size_t broken_messages_ = 0;
   std::string broken_;

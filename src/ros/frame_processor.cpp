@@ -3,21 +3,27 @@
 
 #include <chrono>
 #include <exception>
+#include <thread>
 
 #include "line_plane_segmentation/ros/conversions.h"
 
 namespace line_plane_segmentation {
 
 FrameProcessor::FrameProcessor(const std::string& name, const InputLimits& limits, std::size_t queue_size,
-                               const Outputs& outputs)
-    : outputs_(outputs), queue_(queue_size), advice_(name), segmenter_(limits), thread_([this] { run(); }) {}
+                               const Outputs& outputs, tf2::BufferCore& transforms)
+    : outputs_(outputs),
+      queue_(queue_size),
+      advice_(name),
+      segmenter_(limits),
+      locator_(transforms),
+      thread_([this] { run(); }) {}
 
 FrameProcessor::~FrameProcessor() {
   queue_.close();
   thread_.join();
 }
 
-void FrameProcessor::setParameters(const Parameters& parameters) {
+void FrameProcessor::setParameters(const NodeletParameters& parameters) {
   const std::lock_guard<std::mutex> lock(parameters_mutex_);
   parameters_ = parameters;
   parameters_changed_ = true;
@@ -44,7 +50,7 @@ void FrameProcessor::run() {
 
 void FrameProcessor::applyParameters() {
   const bool trace_outlines = outputs_.outlinesWanted();
-  Parameters parameters;
+  NodeletParameters parameters;
   {
     const std::lock_guard<std::mutex> lock(parameters_mutex_);
     if (!parameters_changed_ && trace_outlines == tracing_outlines_) return;
@@ -52,34 +58,64 @@ void FrameProcessor::applyParameters() {
     parameters = parameters_;
   }
   tracing_outlines_ = trace_outlines;
-  parameters.outlines.trace_outlines &= trace_outlines;
-  segmenter_.setParameters(parameters);
+  parameters.method.outlines.trace_outlines &= trace_outlines;
+  segmenter_.setParameters(parameters.method);
+  locator_.setParameters(parameters.location);
+}
+
+// Transforms are often a little later than the image that they belong to. It waits for them here, where
+// nobody else is kept waiting, by a clock that goes on whatever ROS's time does, and counted from its
+// arrival: frames behind it wait at the same time, so that none of them is lost.
+CameraPlaces FrameProcessor::findPlaces(const CameraFrame& frame) const {
+  using Clock = std::chrono::steady_clock;
+  constexpr std::chrono::milliseconds kPause(2);
+  const std::chrono::duration<double> patience(locator_.parameters().frames.tf_patience);
+  CameraPlaces places = locator_.lookUp(segmenter_.header());
+  while (places.isLate() && Clock::now() - frame.arrived < patience && !queue_.closed()) {
+    std::this_thread::sleep_for(kPause);
+    places = locator_.lookUp(segmenter_.header());
+  }
+  return places;
+}
+
+void FrameProcessor::adviseOnPlaces(const CameraPlaces& places) {
+  const FrameParameters& frames = locator_.parameters().frames;
+  if (!frames.target_frame.empty()) advice_.transformed(Purpose::kTarget, places.target);
+  if (!frames.gravity_frame.empty()) advice_.transformed(Purpose::kGravity, places.gravity);
+  if (!frames.fixed_frame.empty()) advice_.transformed(Purpose::kMotion, places.fixed);
+}
+
+void FrameProcessor::refuse(Refusal refusal, const std::string& explanation) {
+  statistics_.refused(refusal, explanation, segmenter_.header().frame_id);
+  // Of transforms that fail now and then, as they do, adviseOnPlaces() tells when they are too many.
+  if (refusal != Refusal::kTf) advice_.refused(refusal, explanation);
 }
 
 void FrameProcessor::process(const CameraFrame& frame) {
   if (!outputs_.wanted()) return;
   applyParameters();
-  const Validation& input = segmenter_.segment(frame);
-  const std::string& frame_id = segmenter_.header().frame_id;
+  const Validation& input = segmenter_.accept(frame);
   if (!input.accepted()) {
-    const std::string explanation = explain(input.refusal, *frame.image, *frame.info);
-    statistics_.refused(input.refusal, explanation, frame_id);
-    advice_.refused(input.refusal, explanation);
+    refuse(input.refusal, explain(input.refusal, *frame.image, *frame.info));
     return;
   }
-  const Segmentation& segmentation = segmenter_.segmentation();
   advice_.accepted(frame, input);
+
+  const CameraPlaces places = findPlaces(frame);
+  adviseOnPlaces(places);
+  if (!places.target.found()) {
+    refuse(Refusal::kTf, "planes cannot be given in ~target_frame: " + places.target.problem);
+    return;
+  }
+  const Segmentation& segmentation = segmenter_.segment();
   advice_.segmented(input, segmenter_.range(), segmentation);
 
   const auto outputs_started = std::chrono::steady_clock::now();
-  ids_.clear();
-  for (const SegmentedPlane& plane : segmentation.planes) ids_.push_back(plane.label);
-  published_.header = segmenter_.header();
-  publishPlanes(segmentation, ids_, std::nullopt, OrientationParameters{}, published_);
-  outputs_.publish(segmenter_.result(published_));
+  const PublishedPlanes& published = locator_.locate(segmentation, input.camera, segmenter_.header(), places);
+  outputs_.publish(segmenter_.result(published));
   const std::chrono::duration<double, std::milli> output_time =
       std::chrono::steady_clock::now() - outputs_started;
-  statistics_.processed(segmentation, segmenter_.clock(), output_time.count(), frame_id);
+  statistics_.processed(segmentation, segmenter_.clock(), output_time.count(), segmenter_.header().frame_id);
 }
 
 }  // namespace line_plane_segmentation

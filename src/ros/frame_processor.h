@@ -1,18 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <cstdint>
 #include <mutex>
 #include <string>
 #include <thread>
-#include <vector>
 
 #include "frame_queue.h"
 #include "frame_segmenter.h"
 #include "frame_statistics.h"
 #include "input_advice.h"
-#include "line_plane_segmentation/parameters.h"
+#include "line_plane_segmentation/ros/parameter_config.h"
 #include "outputs.h"
+#include "plane_locator.h"
 
 namespace line_plane_segmentation {
 
@@ -23,8 +22,9 @@ class FrameProcessor {
   /// @param name        of the nodelet, for the log
   /// @param queue_size  frames that may wait
   /// @param outputs     must outlive this
+  /// @param transforms  what tf knows; must outlive this
   FrameProcessor(const std::string& name, const InputLimits& limits, std::size_t queue_size,
-                 const Outputs& outputs);
+                 const Outputs& outputs, tf2::BufferCore& transforms);
 
   /// Waits for the frame that is being processed.
   ~FrameProcessor();
@@ -33,7 +33,7 @@ class FrameProcessor {
   FrameProcessor& operator=(const FrameProcessor&) = delete;
 
   /// Takes effect, all at once, with the next frame that is begun. Never waits for a frame.
-  void setParameters(const Parameters& parameters);
+  void setParameters(const NodeletParameters& parameters);
 
   FrameQueue& queue() { return queue_; }
   FrameStatistics& statistics() { return statistics_; }
@@ -42,20 +42,22 @@ class FrameProcessor {
   void run();
   void process(const CameraFrame& frame);
   void applyParameters();
+  CameraPlaces findPlaces(const CameraFrame& frame) const;
+  void adviseOnPlaces(const CameraPlaces& places);
+  void refuse(Refusal refusal, const std::string& explanation);
 
   const Outputs& outputs_;
   FrameQueue queue_;
   FrameStatistics statistics_;
 
   std::mutex parameters_mutex_;
-  Parameters parameters_;
+  NodeletParameters parameters_;
   bool parameters_changed_ = true;
 
   // Used by the thread alone.
   InputAdvice advice_;
   FrameSegmenter segmenter_;
-  std::vector<std::uint32_t> ids_;
-  PublishedPlanes published_;
+  PlaneLocator locator_;
   bool tracing_outlines_ = true;
 
   std::thread thread_;

@@ -6,6 +6,7 @@
 namespace line_plane_segmentation {
 
 void FrameQueue::push(CameraFrame frame) {
+  frame.arrived = std::chrono::steady_clock::now();
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     if (frames_.size() >= capacity_) overloaded_ = true;
@@ -39,6 +40,11 @@ void FrameQueue::close() {
     closed_ = true;
   }
   changed_.notify_all();
+}
+
+bool FrameQueue::closed() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return closed_;
 }
 
 std::uint64_t FrameQueue::dropped() const {

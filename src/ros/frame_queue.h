@@ -21,7 +21,7 @@ class FrameQueue {
   /// @param capacity  frames that wait at most; at least 1
   explicit FrameQueue(std::size_t capacity) : capacity_(capacity) {}
 
-  /// Never blocks for longer than pop() takes to move a frame out.
+  /// Never blocks for longer than pop() takes to move a frame out. Notes when the frame arrived.
   void push(CameraFrame frame);
 
   /// Waits for a frame.
@@ -33,6 +33,7 @@ class FrameQueue {
 
   /// Ends every pop(), now and later.
   void close();
+  bool closed() const;
 
   /// Frames dropped since the beginning.
   std::uint64_t dropped() const;

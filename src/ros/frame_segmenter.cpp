@@ -16,12 +16,20 @@ DepthRange rangeOf(const Parameters& parameters) {
 
 }  // namespace
 
-const Validation& FrameSegmenter::segment(const CameraFrame& frame) {
+const Validation& FrameSegmenter::accept(const CameraFrame& frame) {
   header_ = withoutSlash(frame.image->header);
   input_ = validate(*frame.image, *frame.info, limits_);
-  if (!input_.accepted()) return input_;
+  return input_;
+}
+
+const Segmentation& FrameSegmenter::segment() {
   range_ = rangeOf(segmenter_.parameters());
   segmentation_ = &segmenter_.segment(input_.view, input_.camera, &clock_);
+  return *segmentation_;
+}
+
+const Validation& FrameSegmenter::segment(const CameraFrame& frame) {
+  if (accept(frame).accepted()) segment();
   return input_;
 }
 

@@ -21,8 +21,14 @@ class FrameSegmenter {
   /// Takes effect with the next frame.
   void setParameters(const Parameters& parameters) { segmenter_.setParameters(parameters); }
 
-  /// Looks at the frame and segments it, unless it is refused.
+  /// Looks at the frame, and decides whether it is segmented.
   /// @param frame  its messages must live as long as what is made of them here
+  const Validation& accept(const CameraFrame& frame);
+
+  /// Segments the frame that was accepted.
+  const Segmentation& segment();
+
+  /// Both in one, unless the frame is refused.
   const Validation& segment(const CameraFrame& frame);
 
   /// Of the last frame: what was decided about it. The rest below is meaningful only if it was accepted.

@@ -126,9 +126,9 @@ std::string sizeOf(std::uint32_t width, std::uint32_t height) {
 }  // namespace
 
 const char* nameOf(Refusal refusal) {
-  constexpr std::array<const char*, kRefusalCount> kNames = {"none",          "empty_image",  "encoding",
-                                                             "too_large",     "bad_step",     "short_data",
-                                                             "info_mismatch", "no_intrinsics"};
+  constexpr std::array<const char*, kRefusalCount> kNames = {"none",          "empty_image",   "encoding",
+                                                             "too_large",     "bad_step",      "short_data",
+                                                             "info_mismatch", "no_intrinsics", "tf"};
   return kNames[static_cast<std::size_t>(refusal)];
 }
 
@@ -145,6 +145,7 @@ std::string explain(Refusal refusal, const sensor_msgs::Image& image, const sens
   const std::string size = sizeOf(image.width, image.height);
   switch (refusal) {
     case Refusal::kNone:
+    case Refusal::kTf:  // nothing is wrong with these two
       return {};
     case Refusal::kEmptyImage:
       return "the image is " + size + " pixels: check the camera driver";

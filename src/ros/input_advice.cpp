@@ -26,6 +26,22 @@ void InputAdvice::once(bool& told, const std::string& text) {
   told = true;
 }
 
+void InputAdvice::transformed(Purpose purpose, const TransformLookup& lookup) {
+  constexpr std::array<const char*, kPurposeCount> kWhatFails = {
+      "~target_frame, so that the frames are refused", "~gravity_frame, so that orientations are unknown",
+      "~fixed_frame, so that ids go by the images alone"};
+  constexpr int kFewest = 5;
+  constexpr int kMost = 100;  // what was long ago counts less and less
+  Transforms& count = transforms_[static_cast<std::size_t>(purpose)];
+  if (count.found + count.failed >= kMost) count = {count.found / 2, count.failed / 2, count.last_warning};
+  ++(lookup.found() ? count.found : count.failed);
+  if (lookup.found() || count.failed < kFewest || count.failed <= count.found) return;
+  if (!isDue(count.last_warning)) return;
+  ROS_WARN("[%s] in %d %% of the frames tf does not know %s. Is it published? %s", name_.c_str(),
+           100 * count.failed / (count.found + count.failed), kWhatFails[static_cast<std::size_t>(purpose)],
+           lookup.problem.c_str());
+}
+
 void InputAdvice::refused(Refusal refusal, const std::string& explanation) {
   if (isDue(last_refused_[static_cast<std::size_t>(refusal)])) {
     ROS_WARN("[%s] refused a frame (%s): %s", name_.c_str(), nameOf(refusal), explanation.c_str());

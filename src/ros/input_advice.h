@@ -3,14 +3,21 @@
 
 #include <array>
 #include <chrono>
+#include <cstddef>
 #include <set>
 #include <string>
 
 #include "line_plane_segmentation/ros/image_validation.h"
 #include "line_plane_segmentation/segmentation.h"
 #include "stamp_pairing.h"
+#include "transform_lookup.h"
 
 namespace line_plane_segmentation {
+
+/// What a transform is for.
+enum class Purpose { kTarget, kGravity, kMotion };
+
+constexpr std::size_t kPurposeCount = 3;
 
 /// Tells the user in the log what is odd about the input, without filling the log: each oddity once, each
 /// refusal every few seconds. Goes by a clock that simulated time does not touch, and for itself, however
@@ -19,6 +26,9 @@ class InputAdvice {
  public:
   /// @param name  of the nodelet, at the head of each line
   explicit InputAdvice(std::string name) : name_(std::move(name)) {}
+
+  /// What tf told for a frame. Transforms fail now and then; said is only when most of them do.
+  void transformed(Purpose purpose, const TransformLookup& lookup);
 
   /// A frame that is not processed.
   void refused(Refusal refusal, const std::string& explanation);
@@ -35,11 +45,18 @@ class InputAdvice {
  private:
   using TimePoint = std::chrono::steady_clock::time_point;
 
+  struct Transforms {
+    int found = 0;  // since the last warning
+    int failed = 0;
+    TimePoint last_warning{};
+  };
+
   bool isDue(TimePoint& last);
   void once(bool& told, const std::string& text);
 
   std::string name_;
   std::array<TimePoint, kRefusalCount> last_refused_{};
+  std::array<Transforms, kPurposeCount> transforms_;
   TimePoint last_failed_{};
   bool told_intrinsics_from_k_ = false;
   bool told_distorted_ = false;

@@ -58,6 +58,15 @@ bool getAs(const ros::NodeHandle& nh, const std::string& name, Method& value) {
 }
 
 template <typename T>
+void setAs(const ros::NodeHandle& nh, const std::string& name, const T& value) {
+  nh.setParam(name, value);
+}
+
+void setAs(const ros::NodeHandle& nh, const std::string& name, const Method& value) {
+  nh.setParam(name, static_cast<int>(value));
+}
+
+template <typename T>
 std::string problemWith(const ros::NodeHandle& nh, const std::string& name, T value, T min, T max) {
   if (!nh.hasParam(name)) return {};
   if (!getAs(nh, name, value)) return "~" + name + " has the wrong type; ";
@@ -69,48 +78,138 @@ std::string problemWith(const ros::NodeHandle& nh, const std::string& name, T va
   return problem.str();
 }
 
-}  // namespace
+std::string problemWithText(const ros::NodeHandle& nh, const std::string& name) {
+  std::string value;
+  return !nh.hasParam(name) || nh.getParam(name, value) ? "" : "~" + name + " has to be a text; ";
+}
 
-Parameters parametersFrom(const PlaneSegmenterConfig& config) {
+void cutSlash(const std::string& name, std::string& frame, std::vector<std::string>& changes) {
+  if (frame.empty() || frame.front() != '/') return;
+  frame.erase(0, 1);
+  changes.push_back(name + " starts with a slash, which tf2 refuses: it is cut off");
+}
+
+bool isSame(const Parameters& a, const Parameters& b) {
   ConfigMessage message;
-  config.__toMessage__(message);
-  Parameters parameters;
-  visitParameters(parameters, [&](const char* name, auto& value, auto, auto) { read(message, name, value); });
+  visitParameters(b, [&](const char* name, const auto& value, auto, auto) { append(message, name, value); });
+  bool same = true;
+  visitParameters(a, [&](const char* name, const auto& value, auto, auto) {
+    auto other = value;
+    read(message, name, other);
+    same = same && other == value;
+  });
+  return same;
+}
+
+constexpr const char* kPresets[] = {"kinect", "short_range", "paper"};
+constexpr char kNoPreset[] = "custom";
+
+std::string presetOf(const Parameters& method) {
+  for (const char* name : kPresets) {
+    Parameters preset;
+    if (loadPreset(name, preset) && isSame(preset, method)) return name;
+  }
+  return kNoPreset;
+}
+
+// The preset, changed where the request differs from what is there.
+Parameters presetAndChanges(const Parameters& preset, const Parameters& current,
+                            const Parameters& requested) {
+  ConfigMessage before;
+  ConfigMessage after;
+  visitParameters(current,
+                  [&](const char* name, const auto& value, auto, auto) { append(before, name, value); });
+  visitParameters(requested,
+                  [&](const char* name, const auto& value, auto, auto) { append(after, name, value); });
+  Parameters parameters = preset;
+  visitParameters(parameters, [&](const char* name, auto& value, auto, auto) {
+    auto old_value = value;
+    auto new_value = value;
+    read(before, name, old_value);
+    read(after, name, new_value);
+    if (!(new_value == old_value)) value = new_value;
+  });
   return parameters;
 }
 
-void writeParameters(const Parameters& parameters, PlaneSegmenterConfig& config) {
+void applyPreset(const NodeletParameters& current, NodeletParameters& requested,
+                 std::vector<std::string>& changes) {
+  Parameters preset;
+  if (requested.preset == current.preset || requested.preset == kNoPreset) return;
+  if (loadPreset(requested.preset, preset)) {
+    requested.method = presetAndChanges(preset, current.method, requested.method);
+  } else {
+    changes.push_back("no preset is named '" + requested.preset + "'");
+  }
+}
+
+}  // namespace
+
+NodeletParameters parametersFrom(const PlaneSegmenterConfig& config) {
   ConfigMessage message;
-  visitParameters(parameters,
-                  [&](const char* name, const auto& value, auto, auto) { append(message, name, value); });
+  config.__toMessage__(message);
+  NodeletParameters parameters;
+  visitNodeletParameters(parameters,
+                         [&](const char* name, auto& value, auto, auto) { read(message, name, value); });
+  visitFrames(parameters, [&](const char* name, std::string& frame) { read(message, name, frame); });
+  read(message, "preset", parameters.preset);
+  return parameters;
+}
+
+void writeParameters(const NodeletParameters& parameters, PlaneSegmenterConfig& config) {
+  ConfigMessage message;
+  visitNodeletParameters(
+      parameters, [&](const char* name, const auto& value, auto, auto) { append(message, name, value); });
+  visitFrames(parameters, [&](const char* name, const std::string& frame) { append(message, name, frame); });
+  append(message, "preset", parameters.preset);
   config.__fromMessage__(message);
 }
 
-Parameters reconfigured(const Parameters& current, PlaneSegmenterConfig& config,
-                        std::vector<std::string>& changes) {
+NodeletParameters reconfigured(const NodeletParameters& current, PlaneSegmenterConfig& config,
+                               std::vector<std::string>& changes) {
   ConfigMessage current_message;
-  visitParameters(current, [&](const char* name, const auto& value, auto, auto) {
+  visitNodeletParameters(current, [&](const char* name, const auto& value, auto, auto) {
     append(current_message, name, value);
   });
 
-  Parameters parameters = parametersFrom(config);
-  visitParameters(parameters, [&](const char* name, auto& value, auto, auto) {
+  NodeletParameters parameters = parametersFrom(config);
+  visitNodeletParameters(parameters, [&](const char* name, auto& value, auto, auto) {
     keepIfNan(current_message, name, value, changes);
   });
-  const std::vector<std::string> fixed = sanitize(parameters);
+  visitFrames(parameters, [&](const char* name, std::string& frame) { cutSlash(name, frame, changes); });
+  applyPreset(current, parameters, changes);
+  const std::vector<std::string> fixed = sanitize(parameters.method);
   changes.insert(changes.end(), fixed.begin(), fixed.end());
+  parameters.preset = presetOf(parameters.method);
   writeParameters(parameters, config);
   return parameters;
 }
 
 void checkParameterServer(const ros::NodeHandle& private_nh) {
   std::string problems;
-  Parameters parameters;
-  visitParameters(parameters, [&](const char* name, auto& value, auto min, auto max) {
+  NodeletParameters parameters;
+  visitNodeletParameters(parameters, [&](const char* name, auto& value, auto min, auto max) {
     using T = std::decay_t<decltype(value)>;
     problems += problemWith(private_nh, name, value, static_cast<T>(min), static_cast<T>(max));
   });
+  visitFrames(parameters,
+              [&](const char* name, std::string&) { problems += problemWithText(private_nh, name); });
+  problems += problemWithText(private_nh, "preset");
+  const std::string preset = private_nh.param<std::string>("preset", kPresets[0]);
+  if (preset != kNoPreset && !loadPreset(preset, parameters.method)) {
+    problems += "~preset = '" + preset + "' is none of kinect, short_range, paper and custom; ";
+  }
   if (!problems.empty()) throw std::invalid_argument(problems + "correct them and start again");
+}
+
+std::string spreadPreset(const ros::NodeHandle& private_nh) {
+  std::string name = private_nh.param<std::string>("preset", kPresets[0]);
+  Parameters preset;
+  if (name == kPresets[0] || !loadPreset(name, preset)) return name;
+  visitParameters(preset, [&](const char* parameter, const auto& value, auto, auto) {
+    if (!private_nh.hasParam(parameter)) setAs(private_nh, parameter, value);
+  });
+  return name;
 }
 
 }  // namespace line_plane_segmentation

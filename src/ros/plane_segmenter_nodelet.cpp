@@ -9,7 +9,6 @@
 #include <utility>
 #include <vector>
 
-#include "line_plane_segmentation/ros/parameter_config.h"
 #include "status_report.h"
 
 namespace line_plane_segmentation {
@@ -60,14 +59,16 @@ void PlaneSegmenterNodelet::start() {
   ros::NodeHandle& nh = getNodeHandle();
   ros::NodeHandle& private_nh = getPrivateNodeHandle();
   checkParameterServer(private_nh);
+  parameters_.preset = spreadPreset(private_nh);
   const int queue_size = intParameter(private_nh, "queue_size", 10, 1, 1000);
   InputLimits limits;
   limits.max_pixels = static_cast<std::uint64_t>(
       intParameter(private_nh, "max_pixels", static_cast<int>(limits.max_pixels), 1, 1 << 28));
 
   outputs_ = std::make_unique<Outputs>(private_nh, [this] { updateSubscription(); });
-  processor_ =
-      std::make_unique<FrameProcessor>(getName(), limits, static_cast<std::size_t>(queue_size), *outputs_);
+  transforms_ = std::make_unique<TransformFeed>(nh);
+  processor_ = std::make_unique<FrameProcessor>(getName(), limits, static_cast<std::size_t>(queue_size),
+                                                *outputs_, transforms_->buffer());
   subscription_ = std::make_unique<CameraSubscription>(
       nh, private_nh, queue_size, [this](CameraFrame frame) { processor_->queue().push(std::move(frame)); });
   reconfigure_server_ = std::make_unique<dynamic_reconfigure::Server<PlaneSegmenterConfig>>(private_nh);
@@ -79,6 +80,7 @@ void PlaneSegmenterNodelet::stop() {
   reconfigure_server_.reset();
   subscription_.reset();
   processor_.reset();
+  transforms_.reset();
   outputs_.reset();
 }
 
@@ -87,6 +89,7 @@ void PlaneSegmenterNodelet::reconfigure(PlaneSegmenterConfig& config) {
   parameters_ = reconfigured(parameters_, config, changes);
   for (const std::string& change : changes) ROS_WARN("[%s] %s", getName().c_str(), change.c_str());
   processor_->setParameters(parameters_);
+  transforms_->setNeeded(parameters_.location.frames.any());
 }
 
 void PlaneSegmenterNodelet::updateSubscription() {
@@ -95,14 +98,17 @@ void PlaneSegmenterNodelet::updateSubscription() {
   if (subscription_->subscribed()) {
     subscription_->unsubscribe();
     processor_->queue().clear();
+    transforms_->setWanted(false);
     return;
   }
   try {
+    transforms_->setWanted(true);
     subscription_->subscribe();
     failure_.clear();
   } catch (const std::exception& exception) {
     // A transport that is not installed, most likely.
     subscription_->unsubscribe();
+    transforms_->setWanted(false);
     failure_ = exception.what();
     ROS_ERROR("[%s] cannot subscribe: %s", getName().c_str(), failure_.c_str());
   }

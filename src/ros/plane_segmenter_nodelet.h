@@ -13,8 +13,9 @@
 
 #include "camera_subscription.h"
 #include "frame_processor.h"
-#include "line_plane_segmentation/parameters.h"
+#include "line_plane_segmentation/ros/parameter_config.h"
 #include "outputs.h"
+#include "transform_feed.h"
 
 namespace line_plane_segmentation {
 
@@ -37,11 +38,12 @@ class PlaneSegmenterNodelet : public nodelet::Nodelet {
   // Held while the parts below are made, so that a subscriber who comes meanwhile finds them all.
   std::mutex connect_mutex_;
   std::string failure_;  // why this does not work; empty if it does
-  Parameters parameters_;
+  NodeletParameters parameters_;
   std::uint64_t reported_dropped_ = 0;
 
   // In this order: each uses those before it.
   std::unique_ptr<Outputs> outputs_;
+  std::unique_ptr<TransformFeed> transforms_;
   std::unique_ptr<FrameProcessor> processor_;
   std::unique_ptr<CameraSubscription> subscription_;
   std::unique_ptr<dynamic_reconfigure::Server<PlaneSegmenterConfig>> reconfigure_server_;

@@ -4,6 +4,7 @@
 #include <sensor_msgs/CameraInfo.h>
 #include <sensor_msgs/Image.h>
 
+#include <chrono>
 #include <cstddef>
 #include <deque>
 
@@ -13,6 +14,7 @@ namespace line_plane_segmentation {
 struct CameraFrame {
   sensor_msgs::ImageConstPtr image;
   sensor_msgs::CameraInfoConstPtr info;
+  std::chrono::steady_clock::time_point arrived{};  ///< in the queue
 };
 
 /// Pairs images with the camera_info of exactly their stamp, whichever comes first.

@@ -34,13 +34,15 @@ constexpr const char* typeNameOf() {
 }
 
 // Every value is another one than its default, and sanitize() has nothing to say about it.
-Parameters unusualParameters() {
-  Parameters parameters;
-  visitParameters(parameters, [](const char*, auto& value, auto min, auto max) {
+NodeletParameters unusualParameters() {
+  NodeletParameters parameters;
+  visitNodeletParameters(parameters, [](const char*, auto& value, auto min, auto max) {
     using T = std::decay_t<decltype(value)>;
     value = static_cast<T>(value == static_cast<T>(max) ? min : max);
   });
-  parameters.scanlines.min_range = 0.2;
+  visitFrames(parameters, [](const char* name, std::string& frame) { frame = std::string("my_") + name; });
+  parameters.method.scanlines.min_range = 0.2;
+  parameters.preset = "custom";
   return parameters;
 }
 
@@ -55,9 +57,9 @@ TEST(ConfigFile, agreesWithTheParameters) {
     types[parameter->name] = parameter->type;
   }
 
-  Parameters parameters;
+  NodeletParameters parameters;
   std::size_t count = 0;
-  visitParameters(parameters, [&](const char* name, auto& value, auto min, auto max) {
+  visitNodeletParameters(parameters, [&](const char* name, auto& value, auto min, auto max) {
     ++count;
     ASSERT_EQ(1U, defaults.count(name)) << name << " is missing in cfg/PlaneSegmenter.cfg";
     EXPECT_EQ(static_cast<double>(value), defaults.at(name)) << "default of " << name;
@@ -66,6 +68,12 @@ TEST(ConfigFile, agreesWithTheParameters) {
     EXPECT_EQ(typeNameOf<std::decay_t<decltype(value)>>(), types.at(name)) << "type of " << name;
   });
   EXPECT_EQ(count, defaults.size()) << "cfg/PlaneSegmenter.cfg has parameters that nothing reads";
+
+  std::map<std::string, std::string> texts{{"preset", parameters.preset}};
+  visitFrames(parameters, [&](const char* name, const std::string& frame) { texts[name] = frame; });
+  std::map<std::string, std::string> default_texts;
+  for (const auto& text : description.dflt.strs) default_texts[text.name] = text.value;
+  EXPECT_EQ(texts, default_texts);
 }
 
 TEST(ConfigFile, saysUnitAndEffectOfEachParameter) {
@@ -78,38 +86,42 @@ TEST(ConfigFile, saysUnitAndEffectOfEachParameter) {
 }
 
 TEST(ParameterConfig, carriesEveryParameterBothWays) {
-  const Parameters unusual = unusualParameters();
+  const NodeletParameters unusual = unusualParameters();
   PlaneSegmenterConfig config = PlaneSegmenterConfig::__getDefault__();
   writeParameters(unusual, config);
-  Parameters read = parametersFrom(config);
+  NodeletParameters read = parametersFrom(config);
 
   std::vector<double> expected;
-  visitParameters(unusual, [&](const char*, const auto& value, auto, auto) {
+  visitNodeletParameters(unusual, [&](const char*, const auto& value, auto, auto) {
     expected.push_back(static_cast<double>(value));
   });
   std::size_t index = 0;
-  visitParameters(read, [&](const char* name, auto& value, auto, auto) {
+  visitNodeletParameters(read, [&](const char* name, auto& value, auto, auto) {
     EXPECT_EQ(expected[index++], static_cast<double>(value)) << name;
   });
+  visitFrames(read, [](const std::string& name, std::string& frame) { EXPECT_EQ("my_" + name, frame); });
+  EXPECT_EQ("custom", read.preset);
 }
 
 // Row 31: the generated clamp lets a NaN through.
 TEST(Reconfiguring, refusesEachNanAndTakesTheRest) {
-  Parameters current;
-  current.extraction.plane_distance = 0.05;
+  NodeletParameters current;
+  current.method.extraction.plane_distance = 0.05;
   PlaneSegmenterConfig config = PlaneSegmenterConfig::__getDefault__();
   config.plane_distance = kNan;
   config.max_range = 5.0;
+  config.tf_patience = kNan;
   config.__clamp__();
   ASSERT_TRUE(std::isnan(config.plane_distance));
 
   std::vector<std::string> changes;
-  const Parameters parameters = reconfigured(current, config, changes);
+  const NodeletParameters parameters = reconfigured(current, config, changes);
 
-  EXPECT_EQ(0.05, parameters.extraction.plane_distance);
+  EXPECT_EQ(0.05, parameters.method.extraction.plane_distance);
   EXPECT_EQ(0.05, config.plane_distance) << "the client is not told";
-  EXPECT_EQ(5.0, parameters.scanlines.max_range);
-  ASSERT_EQ(1U, changes.size());
+  EXPECT_EQ(5.0, parameters.method.scanlines.max_range);
+  EXPECT_EQ(FrameParameters{}.tf_patience, parameters.location.frames.tf_patience);
+  ASSERT_EQ(2U, changes.size());
   EXPECT_NE(std::string::npos, changes.front().find("plane_distance"));
 }
 
@@ -121,7 +133,7 @@ TEST(Reconfiguring, refusesNanInEveryField) {
     PlaneSegmenterConfig config = PlaneSegmenterConfig::__getDefault__();
     config.__fromMessage__(message);
     std::vector<std::string> changes;
-    reconfigured(Parameters{}, config, changes);
+    reconfigured(NodeletParameters{}, config, changes);
     boost::any value;
     boost::any expected;
     description->getValue(config, value);
@@ -137,13 +149,78 @@ TEST(Reconfiguring, tellsWhatItPutInOrder) {
   config.min_range = 6.0;
   config.max_range = 2.0;
   std::vector<std::string> changes;
-  const Parameters parameters = reconfigured(Parameters{}, config, changes);
+  const Parameters parameters = reconfigured(NodeletParameters{}, config, changes).method;
   EXPECT_EQ(2U, changes.size());
   EXPECT_LT(parameters.scanlines.min_range, parameters.scanlines.max_range);
   EXPECT_EQ(parameters.scanlines.min_range, config.min_range);
   EXPECT_EQ(parameters.scanlines.max_range, config.max_range);
   EXPECT_EQ(parameters.candidates.points_per_segment, config.points_per_segment);
   EXPECT_EQ(1, config.points_per_segment % 2);
+}
+
+TEST(Reconfiguring, cutsSlashesOffFrames) {
+  PlaneSegmenterConfig config = PlaneSegmenterConfig::__getDefault__();
+  config.target_frame = "/base_link";
+  std::vector<std::string> changes;
+  EXPECT_EQ("base_link", reconfigured({}, config, changes).location.frames.target_frame);
+  EXPECT_EQ("base_link", config.target_frame);
+  ASSERT_EQ(1U, changes.size());
+  EXPECT_NE(std::string::npos, changes.front().find("target_frame"));
+}
+
+class Presets : public testing::Test {
+ protected:
+  void request() { current_ = reconfigured(current_, config_, changes_); }
+
+  NodeletParameters current_;
+  PlaneSegmenterConfig config_ = PlaneSegmenterConfig::__getDefault__();
+  std::vector<std::string> changes_;
+};
+
+TEST_F(Presets, areLoadedWhileItRunsAndReportedBack) {
+  for (const char* name : {"paper", "short_range", "kinect", "paper"}) {
+    config_.preset = name;
+    request();
+    Parameters preset;
+    ASSERT_TRUE(loadPreset(name, preset));
+    EXPECT_EQ(preset.method, current_.method.method) << name;
+    EXPECT_EQ(preset.extraction.plane_distance, current_.method.extraction.plane_distance) << name;
+    EXPECT_EQ(static_cast<int>(preset.method), config_.method) << name;
+    EXPECT_EQ(preset.noise.floor, config_.noise_floor) << name;
+    EXPECT_EQ(name, config_.preset);
+  }
+  EXPECT_TRUE(changes_.empty());
+}
+
+TEST_F(Presets, leaveFramesAndTrackingAlone) {
+  config_.gravity_frame = "world";
+  config_.track_memory = 7.0;
+  request();
+  config_.preset = "short_range";
+  request();
+  EXPECT_EQ("world", config_.gravity_frame);
+  EXPECT_EQ(7.0, config_.track_memory);
+}
+
+TEST_F(Presets, giveWayToWhatIsChangedBesideOrAfterThem) {
+  config_.preset = "short_range";
+  config_.max_range = 2.0;
+  request();
+  EXPECT_EQ(2.0, current_.method.scanlines.max_range);
+  EXPECT_EQ(80, current_.method.extraction.min_plane_inliers);
+  EXPECT_EQ("custom", config_.preset) << "it is not the preset any more";
+
+  config_.max_range = Parameters{}.scanlines.max_range;
+  request();
+  EXPECT_EQ("short_range", config_.preset) << "it is again";
+}
+
+TEST_F(Presets, ofUnknownNamesAreRefused) {
+  config_.preset = "long_range";
+  request();
+  EXPECT_EQ("kinect", config_.preset);
+  ASSERT_EQ(1U, changes_.size());
+  EXPECT_NE(std::string::npos, changes_.front().find("long_range"));
 }
 
 }  // namespace

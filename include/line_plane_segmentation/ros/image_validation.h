@@ -23,9 +23,10 @@ enum class Refusal : std::uint8_t {
   kShortData,     ///< fewer bytes than the header says
   kInfoMismatch,  ///< camera_info is about an image of another size
   kNoIntrinsics,  ///< camera_info holds no usable focal lengths
+  kTf,            ///< tf cannot tell where the camera is in the frame that planes are wanted in
 };
 
-constexpr std::size_t kRefusalCount = 8;
+constexpr std::size_t kRefusalCount = 9;
 
 /// The refusal's name as it stands in the diagnostics: "empty_image", "short_data" ...
 const char* nameOf(Refusal refusal);

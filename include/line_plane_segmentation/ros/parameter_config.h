@@ -8,23 +8,55 @@
 #include <vector>
 
 #include "line_plane_segmentation/parameters.h"
+#include "line_plane_segmentation/plane_tracker.h"
+#include "line_plane_segmentation/ros/location_parameters.h"
 
 namespace line_plane_segmentation {
 
-/// The method's parameters in a dynamic_reconfigure config, matched by name.
-Parameters parametersFrom(const PlaneSegmenterConfig& config);
+/// Everything that can be changed while the nodelet runs.
+struct NodeletParameters {
+  std::string preset = "kinect";  ///< which preset `method` is, or "custom"
+  Parameters method;
+  LocationParameters location;
+};
+
+/// Calls `visitor(name, value, min, max)` as visitParameters() does, for all parameters but texts.
+template <typename ParametersType, typename Visitor>
+void visitNodeletParameters(ParametersType& p, Visitor&& visitor) {
+  visitParameters(p.method, visitor);
+  visitTrackingParameters(p.location.tracking, visitor);
+  visitOrientationParameters(p.location.orientation, visitor);
+  visitor("tf_patience", p.location.frames.tf_patience, 0.0, 1.0);
+}
+
+/// Calls `visitor(name, value)` for the frames' names.
+template <typename ParametersType, typename Visitor>
+void visitFrames(ParametersType& p, Visitor&& visitor) {
+  visitor("target_frame", p.location.frames.target_frame);
+  visitor("gravity_frame", p.location.frames.gravity_frame);
+  visitor("fixed_frame", p.location.frames.fixed_frame);
+}
+
+/// The parameters in a dynamic_reconfigure config, matched by name.
+NodeletParameters parametersFrom(const PlaneSegmenterConfig& config);
 
 /// Writes the parameters into the config, matched by name.
-void writeParameters(const Parameters& parameters, PlaneSegmenterConfig& config);
+void writeParameters(const NodeletParameters& parameters, PlaneSegmenterConfig& config);
 
-/// What a reconfigure request makes of the current parameters: a NaN is refused and leaves its parameter
-/// as it is, everything else is put in order by sanitize(). `config` is made to tell the outcome.
+/// What a reconfigure request makes of the current parameters. A NaN and an unknown preset are refused and
+/// leave what is there, frames lose a leading slash, everything else is put in order by sanitize(). A new
+/// preset sets all of the method; what the same request changes beside it is changed after that. `config` is
+/// made to tell the outcome.
 /// @param changes  gets one line for each value that was refused or changed
-Parameters reconfigured(const Parameters& current, PlaneSegmenterConfig& config,
-                        std::vector<std::string>& changes);
+NodeletParameters reconfigured(const NodeletParameters& current, PlaneSegmenterConfig& config,
+                               std::vector<std::string>& changes);
 
 /// Looks at the parameters that somebody set for this node handle before it started.
 /// @throw std::invalid_argument that names each one of the wrong type or outside its bounds
 void checkParameterServer(const ros::NodeHandle& private_nh);
+
+/// Where the preset that somebody set differs from the defaults, sets the parameters that nobody set.
+/// @return the preset's name
+std::string spreadPreset(const ros::NodeHandle& private_nh);
 
 }  // namespace line_plane_segmentation

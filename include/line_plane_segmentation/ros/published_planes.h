@@ -9,19 +9,10 @@
 #include <vector>
 
 #include "line_plane_segmentation/orientation.h"
+#include "line_plane_segmentation/ros/location_parameters.h"
 #include "line_plane_segmentation/segmentation.h"
 
 namespace line_plane_segmentation {
-
-/// How planes are told apart by orientation, and which of them are published.
-struct OrientationParameters {
-  double orientation_tolerance = 10.0;  ///< [deg] how far horizontal and vertical planes may be off
-  bool publish_horizontal_up = true;    ///< floors, tables
-  bool publish_horizontal_down = true;  ///< ceilings
-  bool publish_vertical = true;         ///< walls
-  bool publish_slanted = true;          ///< all others
-  bool publish_unknown = true;          ///< all, while nobody knows where up is
-};
 
 /// True if planes of this orientation are published.
 bool isPublished(const OrientationParameters& parameters, Orientation orientation);

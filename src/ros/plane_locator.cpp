@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "plane_locator.h"
+
+namespace line_plane_segmentation {
+namespace {
+
+// No plane is remembered for longer, TrackingParameters::track_memory.
+constexpr double kLongestPause = 60.0;  // [s]
+
+}  // namespace
+
+bool CameraPlaces::isLate() const {
+  for (const TransformLookup* lookup : {&target, &gravity, &fixed}) {
+    if (lookup->answer == TransformLookup::Answer::kLate) return true;
+  }
+  return false;
+}
+
+void PlaneLocator::setParameters(const LocationParameters& parameters) {
+  // A pose in one frame and a pose in another make no motion.
+  if (parameters.frames.fixed_frame != parameters_.frames.fixed_frame) last_pose_.reset();
+  parameters_ = parameters;
+  tracker_.setParameters(parameters.tracking);
+}
+
+CameraPlaces PlaneLocator::lookUp(const std_msgs::Header& header) const {
+  const auto ask = [&](const std::string& frame) {
+    return line_plane_segmentation::lookUp(transforms_, frame.empty() ? header.frame_id : frame,
+                                           header.frame_id, header.stamp);
+  };
+  const FrameParameters& frames = parameters_.frames;
+  return {ask(frames.target_frame), ask(frames.gravity_frame), ask(frames.fixed_frame)};
+}
+
+bool PlaneLocator::isAnotherTime(const ros::Time& stamp) const {
+  // Not as a difference of times, which throws where it is too large.
+  return last_stamp_ && (stamp < *last_stamp_ || stamp.toSec() - last_stamp_->toSec() > kLongestPause);
+}
+
+std::optional<Eigen::Isometry3d> PlaneLocator::motionTo(const CameraPlaces& places) {
+  std::optional<Eigen::Isometry3d> pose, motion;
+  if (!parameters_.frames.fixed_frame.empty() && places.fixed.found()) pose = places.fixed.transform;
+  if (pose && last_pose_) motion = pose->inverse() * *last_pose_;
+  last_pose_ = pose;
+  return motion;
+}
+
+const PublishedPlanes& PlaneLocator::locate(const Segmentation& segmentation, const CameraIntrinsics& camera,
+                                            const std_msgs::Header& header, const CameraPlaces& places) {
+  if (isAnotherTime(header.stamp)) {
+    tracker_.reset();
+    last_pose_.reset();
+  }
+  last_stamp_ = header.stamp;
+  const std::optional<Eigen::Isometry3d> motion = motionTo(places);
+  const std::vector<std::uint32_t>& ids =
+      tracker_.track(segmentation, camera, header.stamp.toSec(), motion ? &*motion : nullptr);
+
+  const FrameParameters& frames = parameters_.frames;
+  std::optional<Eigen::Vector3d> up;
+  if (!frames.gravity_frame.empty() && places.gravity.found()) {
+    up = places.gravity.transform.linear().transpose() * Eigen::Vector3d::UnitZ();
+  }
+  published_.header = header;
+  if (!frames.target_frame.empty()) published_.header.frame_id = frames.target_frame;
+  published_.placement = places.target.transform;
+  publishPlanes(segmentation, ids, up, parameters_.orientation, published_);
+  return published_;
+}
+
+}  // namespace line_plane_segmentation
