@@ -12,7 +12,7 @@ namespace {
 
 // What is remembered of planes that are not seen, at most: then the oldest are forgotten.
 constexpr std::size_t kMaxLostTracks = 128;
-constexpr std::size_t kMaxLostSamples = 8192;
+constexpr std::size_t kMaxLostSamples = 4096;
 
 // A new plane is often seen where another one was, at its border.
 constexpr double kMinOverlap = 0.05;

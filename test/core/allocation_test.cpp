@@ -3,6 +3,8 @@
 // makes it.
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
+#include <algorithm>
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
@@ -11,6 +13,7 @@
 #include <vector>
 
 #include "line_plane_segmentation/plane_segmenter.h"
+#include "line_plane_segmentation/plane_tracker.h"
 #include "support/random.h"
 #include "support/synthetic_depth.h"
 
@@ -132,6 +135,35 @@ TEST_P(WarmFrame, AllocatesNothingForASmallerImage) {
   };
   segmentBoth();
   EXPECT_EQ(allocationsOf(segmentBoth), 0);
+}
+
+// Each image has other planes than the one before, none of which is ever forgotten for its age.
+TEST(WarmTracker, AllocatesNothingHoweverMuchItHasSeen) {
+  TrackingParameters parameters;
+  parameters.track_memory = 1e9;
+  PlaneTracker tracker(parameters);
+  PlaneSegmenter segmenter;
+  std::vector<Segmentation> segmentations;
+  for (const std::vector<std::uint16_t>& pixels : frames(640, 480)) {
+    segmentations.push_back(segmenter.segment(viewOf(pixels.data(), 640, 480), kinectCamera(640, 480)));
+  }
+  const Eigen::Isometry3d motion(Eigen::Translation3d(0.0, 0.0, 0.5));
+  double seconds = 0.0;
+  std::uint32_t newest = 0;
+  const auto trackAll = [&] {
+    for (const Segmentation& segmentation : segmentations) {
+      for (const std::uint32_t id : tracker.track(segmentation, kinectCamera(640, 480), ++seconds, &motion))
+        newest = std::max(newest, id);
+    }
+  };
+  EXPECT_GT(allocationsOf(trackAll), 0);
+  for (int round = 0; round < 100; ++round) trackAll();
+  const std::uint32_t before = newest;
+  EXPECT_EQ(allocationsOf([&] {
+              for (int round = 0; round < 100; ++round) trackAll();
+            }),
+            0);
+  EXPECT_GT(newest, before + 500) << "too few new planes to fill its memory";
 }
 
 INSTANTIATE_TEST_SUITE_P(Methods, WarmFrame, testing::Values(Method::kPaper, Method::kAdaptive),
