@@ -4,6 +4,8 @@
 #include <tf2/exceptions.h>
 #include <tf2_eigen/tf2_eigen.h>
 
+#include <exception>
+
 namespace line_plane_segmentation {
 namespace {
 
@@ -20,7 +22,7 @@ Eigen::Isometry3d toEigen(const geometry_msgs::TransformStamped& message) {
 ros::Time newest(const tf2::BufferCore& buffer, const std::string& target, const std::string& source) {
   try {
     return buffer.lookupTransform(target, source, ros::Time(0)).header.stamp;
-  } catch (const tf2::TransformException&) {
+  } catch (const std::exception&) {
     return {};
   }
 }
@@ -43,7 +45,8 @@ TransformLookup lookUp(tf2::BufferCore& buffer, const std::string& target, const
     if (!known.isZero() && known < time) lookup.answer = Answer::kLate;
     // Not as a difference of times, which throws where it is too large.
     if (known.toSec() - time.toSec() > buffer.getCacheLength().toSec()) buffer.clear();
-  } catch (const tf2::TransformException& exception) {
+  } catch (const std::exception& exception) {
+    // Not tf2's alone: times that lie very far apart make it throw others.
     lookup.problem = exception.what();
   }
   return lookup;

@@ -1,0 +1,236 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Planes in another frame, against gravity, and what happens where tf does not tell: faults rows 21, 24, 26.
+#include <diagnostic_msgs/DiagnosticArray.h>
+#include <gtest/gtest.h>
+#include <line_plane_segmentation/PlaneArray.h>
+#include <sensor_msgs/PointCloud2.h>
+#include <tf2_eigen/tf2_eigen.h>
+#include <tf2_ros/static_transform_broadcaster.h>
+#include <tf2_ros/transform_broadcaster.h>
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "reconfigure.h"
+#include "test_camera.h"
+
+namespace line_plane_segmentation {
+namespace {
+
+constexpr std::uint32_t kWidth = 320;
+constexpr std::uint32_t kHeight = 240;
+constexpr double kTilt = 40.0 * M_PI / 180.0;  // the camera looks down by so much
+
+// A floor that the camera sees from 1.2 m above.
+const Eigen::Vector3d kFloorNormal(0.0, -std::cos(kTilt), -std::sin(kTilt));
+constexpr double kHeightAboveFloor = 1.2;
+
+Eigen::Isometry3d cameraInWorld() {
+  Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
+  const double c = std::cos(kTilt), s = std::sin(kTilt);
+  pose.linear() << 0, -s, c, -1, 0, 0, 0, -c, -s;
+  pose.translation() << 5.0, -3.0, kHeightAboveFloor;
+  return pose;
+}
+
+class Frames : public testing::Test {
+ protected:
+  Frames() { EXPECT_TRUE(camera_.waitForSubscriber()); }
+
+  // Every frame of the tests has its own stamp.
+  static ros::Time nextStamp() {
+    static double seconds = 1000.0;
+    return ros::Time(seconds += 0.1);
+  }
+
+  // Sent by the one that a listener waits for.
+  void sendTransform(const std::string& parent, const ros::Time& stamp) {
+    geometry_msgs::TransformStamped message = tf2::eigenToTransform(cameraInWorld());
+    message.header.stamp = stamp;
+    message.header.frame_id = parent;
+    message.child_frame_id = kCameraFrame;
+    broadcaster_.sendTransform(message);
+  }
+
+  // "still" never moves; its transform is latched.
+  void sendStaticTransform() {
+    geometry_msgs::TransformStamped message;
+    message.header.frame_id = "still";
+    message.child_frame_id = "world";
+    message.transform.rotation.w = 1.0;
+    static_broadcaster_.sendTransform(message);
+  }
+
+  void publish(const ros::Time& stamp) { camera_.publish(image_, info_, stamp); }
+
+  /// Publishes until the segmenter, which has just begun to listen to tf, has got it.
+  bool answersSoon(const std::string& parent) {
+    return waitUntil([&] {
+      const ros::Time stamp = nextStamp();
+      sendTransform(parent, stamp);
+      publish(stamp);
+      return planes_.waitFor(stamp, 0.3) && isOriented();
+    });
+  }
+
+  bool isOriented() const {
+    return !planes_.newest()->planes.empty() && planes_.newest()->planes[0].orientation != Plane::UNKNOWN;
+  }
+
+  /// As the newest report says.
+  int refusedForTf() const {
+    if (!diagnostics_.newest()) return -1;
+    for (const auto& status : diagnostics_.newest()->status) {
+      for (const auto& value : status.values) {
+        if (status.name == "plane_segmenter: plane segmentation" && value.key == "frames refused: tf")
+          return std::stoi(value.value);
+      }
+    }
+    return -1;
+  }
+
+  /// As the next report says, while nothing is going on.
+  int refusedUntilNow() const {
+    spinFor(0.1);
+    const int reports = diagnostics_.count();
+    EXPECT_TRUE(waitUntil([&] { return diagnostics_.count() > reports; }));
+    return refusedForTf();
+  }
+
+  TestCamera camera_;
+  tf2_ros::TransformBroadcaster broadcaster_;
+  tf2_ros::StaticTransformBroadcaster static_broadcaster_;
+  Inbox<PlaneArray> planes_{"plane_segmenter/planes"};
+  Inbox<diagnostic_msgs::DiagnosticArray> diagnostics_{"/diagnostics"};
+  sensor_msgs::Image image_ = imageOfPlane(kWidth, kHeight, "16UC1", kFloorNormal, kHeightAboveFloor);
+  sensor_msgs::CameraInfo info_ = testInfo(kWidth, kHeight);
+};
+
+TEST_F(Frames, givesAFloorInTheWorld) {
+  const Inbox<sensor_msgs::PointCloud2> cloud("plane_segmenter/cloud");
+  reconfigure([](PlaneSegmenterConfig& config) { config.target_frame = config.gravity_frame = "world"; });
+  ASSERT_TRUE(answersSoon("world"));
+  EXPECT_EQ("world", planes_.newest()->header.frame_id);
+  const Plane& floor = planes_.newest()->planes.at(0);
+  EXPECT_GT(floor.coefficients.coef[2], std::cos(0.5 * M_PI / 180.0));
+  EXPECT_NEAR(0.0, floor.centroid.z, 0.01);
+  EXPECT_GT(floor.centroid.x, 5.0) << "ahead of the camera";
+  EXPECT_EQ(Plane::HORIZONTAL_UP, floor.orientation);
+  for (const auto& point : floor.outline.points) EXPECT_NEAR(0.0, point.z, 0.02);
+  ASSERT_TRUE(waitUntil([&] { return cloud.newest() != nullptr; }));
+  EXPECT_EQ("world", cloud.newest()->header.frame_id);
+}
+
+TEST_F(Frames, leavesOutWhatIsNotWanted) {
+  const auto onlyWalls = [](PlaneSegmenterConfig& config) {
+    config.gravity_frame = "world";
+    config.publish_horizontal_up = false;
+  };
+  reconfigure([](PlaneSegmenterConfig& config) { config.gravity_frame = "world"; });
+  ASSERT_TRUE(answersSoon("world"));
+  EXPECT_EQ(kCameraFrame, planes_.newest()->header.frame_id);
+  reconfigure(onlyWalls);
+  const ros::Time stamp = nextStamp();
+  sendTransform("world", stamp);
+  publish(stamp);
+  ASSERT_TRUE(planes_.waitFor(stamp));
+  EXPECT_TRUE(planes_.newest()->planes.empty());
+  EXPECT_GT(planes_.newest()->valid_pixels, 0U);
+}
+
+TEST_F(Frames, refusesWhatItCannotPlaceAndNeverBlocks) {
+  reconfigure([](PlaneSegmenterConfig& config) { config.target_frame = "nowhere"; });
+  const int refused = refusedUntilNow();
+  const int answers = planes_.count();
+  for (int i = 0; i < 20; ++i) {
+    publish(nextStamp());
+    spinFor(1.0 / 30.0);
+  }
+  EXPECT_TRUE(waitUntil([&] { return refusedForTf() == refused + 20; })) << refusedForTf() - refused;
+  EXPECT_EQ(answers, planes_.count());
+
+  reconfigure([](PlaneSegmenterConfig&) {});
+  const ros::Time stamp = nextStamp();
+  publish(stamp);
+  ASSERT_TRUE(planes_.waitFor(stamp, 1.0));
+  EXPECT_EQ(1U, planes_.newest()->planes.size());
+}
+
+TEST_F(Frames, goesOnWithoutGravity) {
+  reconfigure([](PlaneSegmenterConfig& config) { config.gravity_frame = config.fixed_frame = "nowhere"; });
+  for (int i = 0; i < 5; ++i) {
+    const ros::Time stamp = nextStamp();
+    publish(stamp);
+    ASSERT_TRUE(planes_.waitFor(stamp, 1.0));
+    ASSERT_EQ(1U, planes_.newest()->planes.size());
+    EXPECT_EQ(Plane::UNKNOWN, planes_.newest()->planes[0].orientation);
+  }
+}
+
+// Most transforms come a little after the image that they belong to.
+TEST_F(Frames, waitsALittleForLateTransformsAndNotForever) {
+  const auto inTheWorld = [](PlaneSegmenterConfig& config) {
+    config.target_frame = config.gravity_frame = "world";
+    config.tf_patience = 0.5;
+  };
+  reconfigure(inTheWorld);
+  ASSERT_TRUE(answersSoon("world"));
+  for (int i = 0; i < 3; ++i) {
+    const ros::Time stamp = nextStamp();
+    publish(stamp);
+    EXPECT_FALSE(planes_.waitFor(stamp, 0.1));
+    sendTransform("world", stamp);
+    EXPECT_TRUE(planes_.waitFor(stamp)) << i;
+  }
+  const int refused = refusedUntilNow();
+  const int answers = planes_.count();
+  // As they come at 30 Hz: one after the other these would wait for five seconds.
+  for (int i = 0; i < 10; ++i) {
+    publish(nextStamp());
+    spinFor(1.0 / 30.0);
+  }
+  spinFor(0.6);
+  const ros::Time stamp = nextStamp();
+  sendTransform("world", stamp);
+  publish(stamp);
+  EXPECT_TRUE(planes_.waitFor(stamp, 0.5));
+  EXPECT_EQ(answers + 1, planes_.count());
+  EXPECT_TRUE(waitUntil([&] { return refusedForTf() == refused + 10; })) << refusedForTf() - refused;
+}
+
+// A bag of 20 s that is played in a loop without a clock: nobody tells tf that time goes back.
+TEST_F(Frames, goesOnWhenABagBeginsAgain) {
+  sendStaticTransform();
+  reconfigure([](PlaneSegmenterConfig& config) {
+    config.target_frame = config.gravity_frame = config.fixed_frame = "still";
+  });
+  ASSERT_TRUE(answersSoon("world"));
+  std::vector<std::vector<std::uint32_t>> ids(3);
+  for (int loop = 0; loop < 3; ++loop) {
+    for (int i = 0; i <= 20; ++i) {
+      const ros::Time stamp(500.0 + i);
+      sendTransform("world", stamp);
+      // After its transform, whatever way the two take.
+      spinFor(0.03);
+      publish(stamp);
+      if (!planes_.waitFor(stamp, i == 0 ? 0.5 : 5.0)) continue;
+      ASSERT_EQ(1U, planes_.newest()->planes.size());
+      EXPECT_EQ("still", planes_.newest()->header.frame_id);
+      EXPECT_EQ(Plane::HORIZONTAL_UP, planes_.newest()->planes[0].orientation);
+      ids[static_cast<std::size_t>(loop)].push_back(planes_.newest()->planes[0].id);
+    }
+    EXPECT_GE(ids[static_cast<std::size_t>(loop)].size(), 20U) << "recovers within one frame";
+    for (const std::uint32_t id : ids[static_cast<std::size_t>(loop)]) EXPECT_EQ(1U, id);
+  }
+}
+
+}  // namespace
+}  // namespace line_plane_segmentation
+
+int main(int argc, char** argv) {
+  testing::InitGoogleTest(&argc, argv);
+  ros::init(argc, argv, "frames_rostest");
+  const ros::NodeHandle keeps_ros_running;
+  return RUN_ALL_TESTS();
+}

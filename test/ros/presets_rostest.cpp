@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Presets, set before the start and while it runs.
+#include <dynamic_reconfigure/Config.h>
+#include <gtest/gtest.h>
+
+#include "line_plane_segmentation/parameters.h"
+#include "reconfigure.h"
+#include "test_camera.h"
+
+namespace line_plane_segmentation {
+namespace {
+
+class Presets : public testing::Test {
+ protected:
+  Presets() {
+    subscriber_ = nh_.subscribe<dynamic_reconfigure::Config>(
+        "plane_segmenter/parameter_updates", 10,
+        [this](const dynamic_reconfigure::Config::ConstPtr& message) {
+          dynamic_reconfigure::Config copy = *message;
+          config_.__fromMessage__(copy);
+          ++updates_;
+        });
+  }
+
+  ros::NodeHandle nh_;
+  ros::Subscriber subscriber_;
+  PlaneSegmenterConfig config_;
+  int updates_ = 0;
+};
+
+// In this order: the first is about the start.
+TEST_F(Presets, fillInWhatNobodySet) {
+  Parameters preset;
+  ASSERT_TRUE(loadPreset("short_range", preset));
+  ASSERT_TRUE(waitUntil([this] { return updates_ > 0 && config_.gravity_frame == "world"; }));
+  EXPECT_EQ(preset.noise.floor, config_.noise_floor);
+  EXPECT_EQ(preset.scanlines.min_range, config_.min_range);
+  EXPECT_EQ(0, config_.min_plane_inliers);
+  EXPECT_EQ("custom", config_.preset);
+}
+
+TEST_F(Presets, areLoadedWhileItRuns) {
+  for (const char* name : {"paper", "short_range", "kinect"}) {
+    Parameters preset;
+    ASSERT_TRUE(loadPreset(name, preset));
+    dynamic_reconfigure::Reconfigure call;
+    call.request.config.strs.resize(1);
+    call.request.config.strs[0].name = "preset";
+    call.request.config.strs[0].value = name;
+    ASSERT_TRUE(ros::service::call("plane_segmenter/set_parameters", call));
+    ASSERT_TRUE(waitUntil([&] { return config_.preset == name; }));
+    EXPECT_EQ(static_cast<int>(preset.method), config_.method) << name;
+    EXPECT_EQ(preset.noise.floor, config_.noise_floor) << name;
+    EXPECT_EQ(preset.extraction.min_plane_inliers, config_.min_plane_inliers) << name;
+    EXPECT_EQ("world", config_.gravity_frame) << name;
+  }
+}
+
+}  // namespace
+}  // namespace line_plane_segmentation
+
+int main(int argc, char** argv) {
+  testing::InitGoogleTest(&argc, argv);
+  ros::init(argc, argv, "presets_rostest");
+  const ros::NodeHandle keeps_ros_running;
+  return RUN_ALL_TESTS();
+}

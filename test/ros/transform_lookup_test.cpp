@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "transform_lookup.h"
+
+#include <gtest/gtest.h>
+#include <tf2_eigen/tf2_eigen.h>
+
+#include <string>
+
+namespace line_plane_segmentation {
+namespace {
+
+using Answer = TransformLookup::Answer;
+
+class Lookup : public testing::Test {
+ protected:
+  // The camera is so far along the world's x axis, turned half round about z.
+  void put(double seconds, double x, bool is_static = false) {
+    geometry_msgs::TransformStamped message;
+    message.header.stamp = ros::Time(seconds);
+    message.header.frame_id = "world";
+    message.child_frame_id = "camera";
+    message.transform.translation.x = x;
+    message.transform.rotation.z = 1.002;  // as sloppy as tf lets pass
+    ASSERT_TRUE(buffer_.setTransform(message, "test", is_static));
+  }
+
+  Answer ask(double seconds, const std::string& target = "world", const std::string& source = "camera") {
+    lookup_ = lookUp(buffer_, target, source, ros::Time(seconds));
+    EXPECT_EQ(lookup_.found(), lookup_.problem.empty()) << lookup_.problem;
+    return lookup_.answer;
+  }
+
+  tf2::BufferCore buffer_;
+  TransformLookup lookup_;
+};
+
+TEST_F(Lookup, interpolatesAndIsARotation) {
+  put(100.0, 1.0);
+  put(101.0, 2.0);
+  ASSERT_EQ(Answer::kFound, ask(100.25));
+  EXPECT_NEAR(1.25, lookup_.transform.translation().x(), 1e-6);
+  EXPECT_NEAR(-1.0, lookup_.transform.linear()(0, 0), 1e-12);
+  EXPECT_NEAR(1.0, lookup_.transform.linear().determinant(), 1e-12);
+}
+
+TEST_F(Lookup, tellsLateFromMissing) {
+  EXPECT_EQ(Answer::kMissing, ask(100.0)) << "nothing is known of these frames";
+  put(100.0, 1.0);
+  put(101.0, 2.0);
+  EXPECT_EQ(Answer::kLate, ask(101.001));
+  EXPECT_EQ(Answer::kMissing, ask(99.0)) << "what is over does not come";
+  EXPECT_EQ(Answer::kMissing, ask(101.5, "map")) << "nobody knows this frame";
+  EXPECT_NE(std::string::npos, lookup_.problem.find("map"));
+}
+
+TEST_F(Lookup, standsAnyName) {
+  put(100.0, 1.0);
+  for (const char* name : {"", "/world", " ", "no such frame"}) {
+    EXPECT_EQ(Answer::kMissing, ask(100.0, name)) << name;
+    EXPECT_EQ(Answer::kMissing, ask(100.0, "world", name)) << name;
+  }
+}
+
+// tf2 computes with differences of times, which overflow.
+TEST_F(Lookup, standsAnyTime) {
+  put(100.0, 1.0);
+  put(101.0, 2.0);
+  for (const double seconds : {1e-9, 2147483648.0, 4294967295.0})
+    EXPECT_NE(Answer::kFound, ask(seconds)) << seconds;
+}
+
+TEST_F(Lookup, isItselfInItself) {
+  EXPECT_EQ(Answer::kFound, ask(100.0, "camera", "camera"));
+  EXPECT_TRUE(lookup_.transform.isApprox(Eigen::Isometry3d::Identity()));
+}
+
+TEST_F(Lookup, holdsAtAllTimesIfStatic) {
+  put(100.0, 3.0, true);
+  for (const double seconds : {0.0, 1.0, 100.0, 4294967295.0}) {
+    EXPECT_EQ(Answer::kFound, ask(seconds)) << seconds;
+    EXPECT_EQ(3.0, lookup_.transform.translation().x());
+  }
+}
+
+TEST_F(Lookup, takesTheNewestForTimeZero) {
+  put(100.0, 1.0);
+  put(101.0, 2.0);
+  ASSERT_EQ(Answer::kFound, ask(0.0));
+  EXPECT_NEAR(2.0, lookup_.transform.translation().x(), 1e-9);
+}
+
+// Row 21: without simulated time nobody tells tf that a bag begins again.
+TEST_F(Lookup, recoversWhenTimeGoesBack) {
+  for (int i = 0; i <= 20; ++i) put(1000.0 + i, 1.0);
+  EXPECT_EQ(Answer::kMissing, ask(500.0));
+  put(500.0, 5.0);
+  ASSERT_EQ(Answer::kFound, ask(500.0)) << "tf goes on refusing what is older than 10 s";
+  EXPECT_NEAR(5.0, lookup_.transform.translation().x(), 1e-9);
+}
+
+}  // namespace
+}  // namespace line_plane_segmentation
