@@ -7,6 +7,7 @@
 #include "bag_task.h"
 #include "command_line.h"
 #include "interruption.h"
+#include "output_files.h"
 #include "parameter_options.h"
 #include "run_tool.h"
 
@@ -85,7 +86,7 @@ BagTask taskOf(const po::variables_map& given) {
 
 void checkFiles(const BagTask& task) {
   const auto same = [](const fs::path& a, const fs::path& b) {
-    return !a.empty() && fs::weakly_canonical(a) == fs::weakly_canonical(b);
+    return !a.empty() && wholePath(a) == wholePath(b);
   };
   if (same(task.out, task.in)) throw BadInput(task.out.string() + ": would overwrite IN.bag");
   if (same(task.csv, task.in) || same(task.csv, task.out)) {

@@ -7,6 +7,7 @@
 #include <boost/tokenizer.hpp>
 #include <cmath>
 #include <fstream>
+#include <limits>
 #include <map>
 #include <set>
 
@@ -104,7 +105,7 @@ std::vector<DepthFrame> framesOfImages(const std::vector<std::string>& images, c
   checkScale(units_per_metre);
   std::vector<DepthFrame> frames;
   for (const std::filesystem::path image : images) {
-    frames.push_back({image.stem().string(), image, camera, units_per_metre, 0, 0});
+    frames.push_back({image.stem().string(), image, camera, units_per_metre, 0, 0, false});
   }
   return frames;
 }
@@ -146,6 +147,7 @@ cv::Mat readDepth(const DepthFrame& frame) {
     throw BadInput(frame.image.string() + ": is " + sizeText(image.cols, image.rows) + " pixels, not " +
                    sizeText(frame.width, frame.height) + " as its table says");
   }
+  if (frame.largest_is_none) image.setTo(0, image == std::numeric_limits<std::uint16_t>::max());
   return image;
 }
 

@@ -16,8 +16,9 @@ struct DepthFrame {
   std::filesystem::path image;
   CameraIntrinsics camera;
   double units_per_metre = 1000.0;
-  int width = 0;   ///< [px] what the image must have; 0 = whatever it has
-  int height = 0;  ///< [px]
+  int width = 0;                 ///< [px] what the image must have; 0 = whatever it has
+  int height = 0;                ///< [px]
+  bool largest_is_none = false;  ///< 65535 in the image says, as 0 does, that there is no depth
 };
 
 /// Reads "FX,FY,CX,CY" [px].

@@ -26,6 +26,10 @@ void makeOutputFolder(const std::filesystem::path& folder) {
     throw BadInput(folder.string() + ": may not write to this folder");
 }
 
+std::filesystem::path wholePath(const std::filesystem::path& path) {
+  return std::filesystem::weakly_canonical(std::filesystem::absolute(path));
+}
+
 OutputFiles::~OutputFiles() {
   std::error_code ignored;
   for (const auto& file : pending_) std::filesystem::remove(temporaryName(file), ignored);

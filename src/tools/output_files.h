@@ -11,6 +11,9 @@ namespace line_plane_segmentation {
 /// @throws BadInput if it cannot be made or written to
 void makeOutputFolder(const std::filesystem::path& folder);
 
+/// The one name of a file or folder, whether it is there or not: to tell if two are the same.
+std::filesystem::path wholePath(const std::filesystem::path& path);
+
 /// Files that appear together, whole, or not at all: each is written under a temporary name beside
 /// its own, and renamed by commit().
 class OutputFiles {

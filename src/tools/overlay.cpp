@@ -2,12 +2,13 @@
 #include "overlay.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdint>
 #include <opencv2/imgproc.hpp>
 #include <string>
 #include <vector>
+
+#include "line_plane_segmentation/ros/palette.h"
 
 namespace line_plane_segmentation {
 namespace {
@@ -17,15 +18,9 @@ constexpr float kNearGrey = 235.0F;
 constexpr float kFarGrey = 70.0F;
 constexpr double kFarOutside = 1e5;  // [px]
 
-// Twenty colours that are told apart easily, BGR.
-const cv::Vec3b& colorOf(std::uint16_t label) {
-  static const std::array<cv::Vec3b, 20> kColors = {
-      cv::Vec3b(60, 76, 231),   cv::Vec3b(113, 204, 46),  cv::Vec3b(219, 152, 52),  cv::Vec3b(15, 196, 241),
-      cv::Vec3b(182, 89, 155),  cv::Vec3b(34, 126, 230),  cv::Vec3b(176, 190, 40),  cv::Vec3b(180, 105, 255),
-      cv::Vec3b(35, 142, 107),  cv::Vec3b(160, 60, 60),   cv::Vec3b(120, 220, 210), cv::Vec3b(90, 60, 160),
-      cv::Vec3b(235, 206, 135), cv::Vec3b(80, 127, 255),  cv::Vec3b(90, 140, 20),   cv::Vec3b(200, 140, 200),
-      cv::Vec3b(40, 90, 140),   cv::Vec3b(170, 230, 130), cv::Vec3b(225, 105, 65),  cv::Vec3b(130, 130, 240)};
-  return kColors[(label + kColors.size() - 1) % kColors.size()];
+cv::Vec3b bgrOf(std::uint16_t label) {
+  const Color color = colorOf(label);
+  return {color.b, color.g, color.r};
 }
 
 // Grey from near to far, without the nearest and farthest hundredth, which would take all the contrast.
@@ -65,7 +60,7 @@ cv::Mat tint(const cv::Mat& grey, const std::vector<std::uint16_t>& labels) {
       const std::size_t index =
           static_cast<std::size_t>(v) * static_cast<std::size_t>(grey.cols) + static_cast<std::size_t>(u);
       if (labels[index] == 0) continue;
-      const cv::Vec3b& color = colorOf(labels[index]);
+      const cv::Vec3b color = bgrOf(labels[index]);
       cv::Vec3b& pixel = picture.at<cv::Vec3b>(v, u);
       for (int c = 0; c < 3; ++c) {
         pixel[c] = cv::saturate_cast<std::uint8_t>(kColorShare * static_cast<float>(color[c]) +
@@ -87,7 +82,7 @@ void drawOutline(const Segmentation& segmentation, const SegmentedPlane& plane,
                  const CameraIntrinsics& camera, int thickness, cv::Mat& picture) {
   // OpenCV draws at fractions of a pixel when it gets integers with so many binary digits after the point.
   constexpr int kFractionBits = 4;
-  const cv::Vec3b& color = colorOf(plane.label);
+  const cv::Vec3b color = bgrOf(plane.label);
   const cv::Scalar light = 0.5 * (cv::Scalar(color[0], color[1], color[2]) + cv::Scalar::all(255));
   for (int r = 0; r < plane.outer_ring_count + plane.hole_count; ++r) {
     const Ring& ring = segmentation.rings[static_cast<std::size_t>(plane.first_ring + r)];

@@ -46,9 +46,7 @@ json planeToJson(const Segmentation& segmentation, const SegmentedPlane& plane) 
           {"holes", ringsToJson(segmentation, first_hole, first_hole + plane.hole_count)}};
 }
 
-}  // namespace
-
-std::string planesJson(const std::string& frame, const Segmentation& segmentation, const StageClock& clock) {
+json document(const std::string& frame, const Segmentation& segmentation, const StageClock& clock) {
   json planes = json::array();
   for (const SegmentedPlane& plane : segmentation.planes) planes.push_back(planeToJson(segmentation, plane));
 
@@ -58,10 +56,25 @@ std::string planesJson(const std::string& frame, const Segmentation& segmentatio
     milliseconds[nameOf(stage)] = clock.milliseconds(stage);
   }
   milliseconds["total"] = clock.totalMilliseconds();
+  return {{"frame", frame}, {"planes", planes}, {"milliseconds", milliseconds}};
+}
 
-  const json document = {{"frame", frame}, {"planes", planes}, {"milliseconds", milliseconds}};
-  // A file's name need not be UTF-8, JSON must be.
+// A file's name need not be UTF-8, JSON must be.
+std::string textOf(const json& document) {
   return document.dump(-1, ' ', false, json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace
+
+std::string planesJson(const std::string& frame, const Segmentation& segmentation, const StageClock& clock) {
+  return textOf(document(frame, segmentation, clock));
+}
+
+std::string planesJson(const std::string& frame, const Segmentation& segmentation, const StageClock& clock,
+                       const json& settings) {
+  json with_settings = document(frame, segmentation, clock);
+  with_settings["settings"] = settings;
+  return textOf(with_settings);
 }
 
 }  // namespace line_plane_segmentation

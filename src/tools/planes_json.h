@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 
 #include "line_plane_segmentation/segmentation.h"
@@ -12,5 +13,9 @@ namespace line_plane_segmentation {
 /// "polygon" is its largest outer ring, "other_parts" further outer rings, "holes" the rings of its holes.
 /// The same planes and times give the same text.
 std::string planesJson(const std::string& frame, const Segmentation& segmentation, const StageClock& clock);
+
+/// The same, with "settings": what the planes were made with.
+std::string planesJson(const std::string& frame, const Segmentation& segmentation, const StageClock& clock,
+                       const nlohmann::json& settings);
 
 }  // namespace line_plane_segmentation

@@ -99,7 +99,7 @@ TEST_F(SegmentDepth, GivesTheSameEveryTime) {
   const std::string labels = textOf(out() + "/wall.labels.png");
   const std::string overlay = textOf(out() + "/wall.overlay.png");
   const json planes = json::parse(textOf(out() + "/wall.planes.json"))["planes"];
-  ASSERT_EQ(segment({image}).exit_code, 0);
+  ASSERT_EQ(segment({image, "--redo"}).exit_code, 0);
   EXPECT_EQ(textOf(out() + "/wall.labels.png"), labels);
   EXPECT_EQ(textOf(out() + "/wall.overlay.png"), overlay);
   EXPECT_EQ(json::parse(textOf(out() + "/wall.planes.json"))["planes"].dump(), planes.dump());
@@ -139,7 +139,8 @@ TEST_F(SegmentDepth, ExplainsItself) {
   const ToolResult result = run({"--help"});
   EXPECT_EQ(result.exit_code, 0);
   EXPECT_EQ(result.err, "");
-  for (const char* word : {"--camera", "--depth-scale", "--out", "--preset", "--set", "plane_distance"}) {
+  for (const char* word : {"--camera", "--depth-scale", "--out", "--preset", "--set", "--redo", "--report",
+                           "--dataset", "plane_distance"}) {
     EXPECT_NE(result.out.find(word), std::string::npos) << word;
   }
 }
