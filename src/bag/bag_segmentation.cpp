@@ -8,6 +8,7 @@
 #include "bag_input.h"
 #include "bag_output.h"
 #include "bag_task.h"
+#include "bag_transforms.h"
 #include "depth_topics.h"
 #include "frame_segmenter.h"
 #include "interruption.h"
@@ -31,7 +32,8 @@ class BagSegmentation {
  public:
   explicit BagSegmentation(const BagTask& task)
       : task_(task), topics_(task.topics), in_(openBag(task.in, [this](const auto& topic, const auto& type) {
-          return task_.input || topics_.wants(topic, type);
+          return task_.input || topics_.wants(topic, type) ||
+                 (needsTransforms() && BagTransforms::wants(topic, type));
         })) {}
 
   void run() {
@@ -68,45 +70,74 @@ class BagSegmentation {
     }
   }
 
+  bool needsTransforms() const { return task_.location.frames.any(); }
+
+  // Takes the next message of the bag. False if there is none.
+  bool readOne() {
+    BagMessage message;
+    if (!in_->next(message)) return false;
+    read_until_ = message.time;
+    if (task_.input) out_->copy(message);
+    try {
+      topics_.add(message, ready_);
+      if (needsTransforms()) transforms_.add(message);
+    } catch (const std::exception& error) {
+      ++broken_messages_;
+      broken_ = message.topic + ", " + error.what();
+    }
+    return true;
+  }
+
   bool fill(Slot& slot) {
     stopIfInterrupted();
-    BagMessage message;
     while (ready_.empty()) {
-      if (!in_->next(message)) return false;
-      if (task_.input) out_->copy(message);
-      try {
-        topics_.add(message, ready_);
-      } catch (const std::exception& error) {
-        ++broken_messages_;
-        broken_ = message.topic + ", " + error.what();
-      }
+      if (!readOne()) return false;
     }
     slot.frame = ready_.front();
     ready_.pop_front();
     return true;
   }
 
+  // In the order of the images: ids stay with their planes.
   void write(Slot& slot) {
-    const BagFrame& frame = slot.frame;
-    DepthTopic& topic = *frame.topic;
-    const Validation& input = slot.segmenter.input();
-    if (input.accepted()) {
-      writeMessages(frame, slot.segmenter.result(locate(topic, slot.segmenter)));
-      ++topic.frames;
-      topic.planes += slot.segmenter.segmentation().planes.size();
-      ++done_;
+    DepthTopic& topic = *slot.frame.topic;
+    FrameSegmenter& segmenter = slot.segmenter;
+    const Validation& input = segmenter.input();
+    PlaneLocator& locator = locatorOf(topic);
+    CameraPlaces places;
+    if (!input.accepted()) {
+      refuse(topic, explain(input.refusal, *slot.frame.messages.image, *slot.frame.messages.info));
+    } else if (places = findPlaces(slot.frame, locator, segmenter.header()); !places.target.found()) {
+      refuse(topic, "planes cannot be given in target_frame: " + places.target.problem);
     } else {
-      ++topic.refused;
-      topic.refusal = explain(input.refusal, *frame.messages.image, *frame.messages.info);
+      const Segmentation& segmentation = segmenter.segmentation();
+      writeMessages(slot.frame,
+                    segmenter.result(locator.locate(segmentation, input.camera, segmenter.header(), places)));
+      ++topic.frames;
+      topic.planes += segmentation.planes.size();
+      ++done_;
     }
     progress_.update(done_, in_->share());
   }
 
-  // In the order of the images: ids stay with their planes.
-  const PublishedPlanes& locate(const DepthTopic& topic, const FrameSegmenter& segmenter) {
-    PlaneLocator& locator = locators_.try_emplace(&topic, no_transforms_).first->second;
-    const std_msgs::Header& header = segmenter.header();
-    return locator.locate(segmenter.segmentation(), segmenter.input().camera, header, locator.lookUp(header));
+  static void refuse(DepthTopic& topic, const std::string& reason) {
+    ++topic.refused;
+    topic.refusal = reason;
+  }
+
+  PlaneLocator& locatorOf(const DepthTopic& topic) {
+    const auto [locator, is_new] = locators_.try_emplace(&topic, transforms_.buffer());
+    if (is_new) locator->second.setParameters(task_.location);
+    return locator->second;
+  }
+
+  // As the nodelet waits for transforms that are late, the bag is read on.
+  CameraPlaces findPlaces(const BagFrame& frame, const PlaneLocator& locator,
+                          const std_msgs::Header& header) {
+    const double latest = frame.time.toSec() + task_.location.frames.tf_patience;
+    CameraPlaces places = locator.lookUp(header);
+    while (places.isLate() && read_until_.toSec() < latest && readOne()) places = locator.lookUp(header);
+    return places;
   }
 
   void writeMessages(const BagFrame& frame, const SegmentedFrame& result) {
@@ -158,7 +189,8 @@ class BagSegmentation {
   std::optional<PlanesCsv> csv_;
   Progress progress_;
   std::deque<BagFrame> ready_;
-  tf2::BufferCore no_transforms_;
+  BagTransforms transforms_;
+  ros::Time read_until_;
   std::map<const DepthTopic*, PlaneLocator> locators_;
   std::size_t done_ = 0;
   std::size_t broken_messages_ = 0;

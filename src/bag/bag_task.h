@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "line_plane_segmentation/parameters.h"
+#include "line_plane_segmentation/ros/location_parameters.h"
 
 namespace line_plane_segmentation {
 
@@ -18,6 +19,7 @@ struct BagTask {
   std::filesystem::path csv;        ///< table of the planes; empty: none
   std::vector<std::string> topics;  ///< the depth images; empty: all that are in the bag
   Parameters parameters;
+  LocationParameters location;
 
   // What is written besides the planes.
   bool labels = false;

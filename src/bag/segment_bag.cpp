@@ -7,6 +7,7 @@
 #include "bag_task.h"
 #include "command_line.h"
 #include "interruption.h"
+#include "location_options.h"
 #include "output_files.h"
 #include "parameter_options.h"
 #include "run_tool.h"
@@ -48,7 +49,8 @@ void printHelp() {
                "the exit "
                "code is 1.\n\n"
             << options() << '\n'
-            << parameterList();
+            << parameterList() << '\n'
+            << locationParameterList();
 }
 
 rosbag::CompressionType compressionOf(const po::variables_map& given) {
@@ -73,7 +75,9 @@ BagTask taskOf(const po::variables_map& given) {
   for (std::string& topic : task.topics) {
     if (topic.empty() || topic.front() != '/') topic.insert(0, "/");
   }
-  task.parameters = parametersOf(given);
+  task.parameters = parametersOf(given, [&task](const std::string& name, const std::string& value) {
+    return setLocationParameter(name, value, task.location);
+  });
   const bool all = given.count("all") != 0;
   task.labels = all || given.count("labels") != 0;
   task.cloud = all || given.count("cloud") != 0;

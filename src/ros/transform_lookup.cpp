@@ -42,7 +42,9 @@ TransformLookup lookUp(tf2::BufferCore& buffer, const std::string& target, const
   } catch (const tf2::ExtrapolationException& exception) {
     lookup.problem = exception.what();
     const ros::Time known = newest(buffer, target, source);
-    if (!known.isZero() && known < time) lookup.answer = Answer::kLate;
+    // Or it came just now, between the two questions: then asking again finds it.
+    if (!known.isZero() && (known < time || buffer.canTransform(target, source, time)))
+      lookup.answer = Answer::kLate;
     // Not as a difference of times, which throws where it is too large.
     if (known.toSec() - time.toSec() > buffer.getCacheLength().toSec()) buffer.clear();
   } catch (const std::exception& exception) {

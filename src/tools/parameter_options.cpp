@@ -19,7 +19,7 @@ void addParameterOptions(po::options_description& options) {
       "change one parameter of the preset; may be given more than once");
 }
 
-Parameters parametersOf(const po::variables_map& given) {
+Parameters parametersOf(const po::variables_map& given, const OtherParameters& setOther) {
   Parameters parameters;
   const auto& preset = given["preset"].as<std::string>();
   if (!loadPreset(preset, parameters)) {
@@ -28,8 +28,9 @@ Parameters parametersOf(const po::variables_map& given) {
   for (const std::string& setting : given["set"].as<std::vector<std::string>>()) {
     const std::size_t equals = setting.find('=');
     if (equals == std::string::npos) throw BadInput("--set takes PARAMETER=VALUE, not '" + setting + "'");
-    const std::string problem =
-        setParameter(setting.substr(0, equals), setting.substr(equals + 1), parameters);
+    const std::string name = setting.substr(0, equals), value = setting.substr(equals + 1);
+    if (setOther && setOther(name, value)) continue;
+    const std::string problem = setParameter(name, value, parameters);
     if (!problem.empty()) throw BadInput(problem);
   }
   const std::vector<std::string> changes = sanitize(parameters);
@@ -37,20 +38,27 @@ Parameters parametersOf(const po::variables_map& given) {
   return parameters;
 }
 
+std::string parameterLine(const std::string& name, const std::string& value, const std::string& bounds) {
+  return "  " + name + std::string(24 - std::min<std::size_t>(name.size(), 23), ' ') + value + ", " + bounds +
+         "\n";
+}
+
 std::string parameterList() {
-  std::ostringstream text;
-  text << std::boolalpha
-       << "Parameters (default, smallest to largest; 0 as default: from the image's width)\n";
+  std::string list = "Parameters (default, smallest to largest; 0 as default: from the image's width)\n";
+  const auto toText = [](auto value) {
+    std::ostringstream text;
+    text << std::boolalpha << value;
+    return text.str();
+  };
   const Parameters defaults;
-  visitParameters(defaults, [&text](const std::string& name, auto value, auto min, auto max) {
-    text << "  " << name << std::string(24 - std::min<std::size_t>(name.size(), 23), ' ');
+  visitParameters(defaults, [&](const std::string& name, auto value, auto min, auto max) {
     if constexpr (std::is_same_v<decltype(value), Method>) {
-      text << "adaptive, or paper\n";
+      list += parameterLine(name, "adaptive", "or paper");
     } else {
-      text << value << ", " << min << " to " << max << '\n';
+      list += parameterLine(name, toText(value), toText(min) + " to " + toText(max));
     }
   });
-  return text.str();
+  return list;
 }
 
 }  // namespace line_plane_segmentation

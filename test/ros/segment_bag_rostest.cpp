@@ -3,8 +3,10 @@
 #include <gtest/gtest.h>
 #include <line_plane_segmentation/PlaneArray.h>
 #include <sensor_msgs/PointCloud2.h>
+#include <tf2_msgs/TFMessage.h>
 #include <visualization_msgs/MarkerArray.h>
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -46,6 +48,7 @@ class Record {
   }
 
   std::size_t size() const { return live_.size(); }
+  void clear() { live_.clear(); }
 
   void expectSameIn(const std::filesystem::path& bag) const {
     SCOPED_TRACE(topic_);
@@ -74,39 +77,85 @@ sensor_msgs::Image pictureOf(simulation::SimulatedCamera& room, int i) {
   return image;
 }
 
+tf2_msgs::TFMessage placeOf(const simulation::SimulatedCamera& room, int i) {
+  const Eigen::Isometry3d pose = room.pose(0.25 * i);
+  const Eigen::Quaterniond rotation(pose.linear());
+  geometry_msgs::TransformStamped transform;
+  transform.header.stamp = stampOf(i);
+  transform.header.frame_id = "world";
+  transform.child_frame_id = kCameraFrame;
+  transform.transform.translation.x = pose.translation().x();
+  transform.transform.translation.y = pose.translation().y();
+  transform.transform.translation.z = pose.translation().z();
+  transform.transform.rotation.w = rotation.w();
+  transform.transform.rotation.x = rotation.x();
+  transform.transform.rotation.y = rotation.y();
+  transform.transform.rotation.z = rotation.z();
+  tf2_msgs::TFMessage message;
+  message.transforms.push_back(transform);
+  return message;
+}
+
 TEST(SegmentBag, givesWhatTheRunningSegmenterPublishes) {
-  const Record<PlaneArray> planes("planes");
-  const Record<sensor_msgs::Image> labels("labels"), overlay("overlay");
-  const Record<sensor_msgs::PointCloud2> cloud("cloud");
-  const Record<visualization_msgs::MarkerArray> markers("markers");
+  Record<PlaneArray> planes("planes");
+  Record<sensor_msgs::Image> labels("labels"), overlay("overlay");
+  Record<sensor_msgs::PointCloud2> cloud("cloud");
+  Record<visualization_msgs::MarkerArray> markers("markers");
   TestCamera camera;
   ASSERT_TRUE(camera.waitForSubscriber());
-  spinFor(0.5);  // until the segmenter knows of all of the subscribers
+  ros::NodeHandle nh;
+  const ros::Publisher transforms = nh.advertise<tf2_msgs::TFMessage>("/tf", 10);
+  ASSERT_TRUE(waitUntil([&] { return transforms.getNumSubscribers() > 0; }));
+
+  // Until the segmenter knows of all subscribers. What it saw so long before does not count for the ids.
+  const auto count = [&] {
+    return std::min({planes.size(), labels.size(), overlay.size(), cloud.size(), markers.size()});
+  };
+  ros::Time long_ago(10.0);
+  ASSERT_TRUE(waitUntil([&] {
+    camera.publish(testImage(kWidth, kHeight, "16UC1"), testInfo(kWidth, kHeight),
+                   long_ago += ros::Duration(0.1));
+    spinFor(0.1);
+    return count() > 0;
+  }));
+  spinFor(2.0);
+  planes.clear();
+  labels.clear();
+  overlay.clear();
+  cloud.clear();
+  markers.clear();
 
   const TemporaryFolder folder;
   const std::string in = (folder / "in.bag").string();
   const std::string out = (folder / "out.bag").string();
   rosbag::Bag bag(in, rosbag::bagmode::Write);
   simulation::SimulatedCamera room({3, kWidth, kHeight, true});
+  // Once tf knows the frame, images wait for transforms that are late.
+  bag.write("/tf", recordingTime(-1), placeOf(room, -1));
+  transforms.publish(placeOf(room, -1));
+  spinFor(0.5);
   for (int i = 0; i < kFrames; ++i) {
     sensor_msgs::Image image = pictureOf(room, i);
     sensor_msgs::CameraInfo info = testInfo(kWidth, kHeight);
     image.header.stamp = info.header.stamp = stampOf(i);
     bag.write("/camera/depth/image_rect", recordingTime(i), image);
+    // Later than the image, as is usual.
+    bag.write("/tf", recordingTime(i) + ros::Duration(0.02), placeOf(room, i));
     bag.write("/camera/depth/camera_info", recordingTime(i), info);
     camera.publish(image, info, image.header.stamp);
-    const auto count = static_cast<std::size_t>(i) + 1;
-    ASSERT_TRUE(waitUntil([&] {
-      return planes.size() == count && labels.size() == count && overlay.size() == count &&
-             cloud.size() == count && markers.size() == count;
-    })) << "frame "
-        << i;
+    transforms.publish(placeOf(room, i));
+    ASSERT_TRUE(waitUntil([&] { return count() == static_cast<std::size_t>(i) + 1; })) << "frame " << i;
   }
   bag.close();
 
-  const ToolResult result = runProcess(SEGMENT_BAG, {in, out, "--all"});
+  const ToolResult result = runProcess(SEGMENT_BAG, {in, out, "--all", "--set", "gravity_frame=world",
+                                                     "--set", "fixed_frame=world", "--set", "tf_patience=1"});
   ASSERT_EQ(result.exit_code, 0) << result.err;
   planes.expectSameIn(out);
+  const auto messages = readAll<PlaneArray>(out);
+  const PlaneArray& last = *messages.at("/camera/plane_segmenter/planes").back();
+  ASSERT_FALSE(last.planes.empty());
+  EXPECT_NE(last.planes.front().orientation, Plane::UNKNOWN) << "no transforms were heeded";
   labels.expectSameIn(out);
   overlay.expectSameIn(out);
   cloud.expectSameIn(out);

@@ -201,7 +201,7 @@ TEST_F(SegmentBag, ExplainsItself) {
   const ToolResult result = runProcess(SEGMENT_BAG, {"--help"});
   EXPECT_EQ(result.exit_code, 0);
   for (const char* word : {"--topic", "--labels", "--cloud", "--overlay", "--markers", "--input", "--csv",
-                           "--compression", "--preset", "plane_distance"}) {
+                           "--compression", "--preset", "plane_distance", "gravity_frame", "track_memory"}) {
     EXPECT_NE(result.out.find(word), std::string::npos) << word;
   }
 }
@@ -248,6 +248,9 @@ TEST_F(SegmentBag, RefusesWrongOptions) {
   expectRefused(run({"--topic", "/camera/depth/camera_info"}), "is sensor_msgs/CameraInfo");
   expectRefused(run({"--compression", "zip"}), "zip");
   expectRefused(run({"--set", "speed=9"}), "speed");
+  expectRefused(run({"--set", "track_planes=perhaps"}), "'perhaps' is no value for track_planes");
+  expectRefused(run({"--set", "orientation_tolerance=50"}), "orientation_tolerance = 50 is outside 0 to 45");
+  expectRefused(run({"--set", "target_frame=moon"}), "planes cannot be given in target_frame");
   expectRefused(run({"--quickly"}), "--quickly");
   expectRefused(run({"--csv", in()}), "would overwrite");
   expectRefused(run({"--csv", out()}), "would overwrite");
