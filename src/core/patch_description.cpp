@@ -17,6 +17,30 @@ InverseDepthLine lineOf(const InverseDepthPlane& plane, ScanDirection direction,
   return {plane.b, plane.a * across + plane.c};
 }
 
+// The line nearest to those of several patches, each of which counts by two points beside its middle.
+class LineRegression {
+ public:
+  void add(const InverseDepthLine& line, double middle) {
+    constexpr double kAside = 0.01;
+    for (const double t : {middle - kAside, middle + kAside}) {
+      const double w = line.slope * t + line.offset;
+      n_ += 1.0;
+      t_ += t;
+      w_ += w;
+      tt_ += t * t;
+      tw_ += t * w;
+    }
+  }
+
+  InverseDepthLine line() const {
+    const double slope = (n_ * tw_ - t_ * w_) / (n_ * tt_ - t_ * t_);
+    return {slope, (w_ - slope * t_) / n_};
+  }
+
+ private:
+  double n_ = 0.0, t_ = 0.0, w_ = 0.0, tt_ = 0.0, tw_ = 0.0;
+};
+
 // In the scan, Sy = t z and Sx = k z (Eq. 3), so that w = slope t + offset is the line slope Sy + (offset /
 // k) Sx = 1.
 void setPolarForm(const InverseDepthLine& line, double across, LineSegment& segment) {
@@ -39,6 +63,7 @@ class SegmentJoiner {
 
   void walk(ScanDirection direction, int scanline, double across, int first_patch, int stride, int count) {
     const SurfacePatch* previous = nullptr;
+    LineRegression regression;
     for (int i = 0; i < count; ++i) {
       const SurfacePatch* patch = &grid_.patches[static_cast<std::size_t>(first_patch + i * stride)];
       if (!patch->is_planar) {
@@ -53,11 +78,13 @@ class SegmentJoiner {
         segment.scanline = scanline;
         segment.first = std::max(0, pixel - half_window_);
         segments_.push_back(segment);
+        regression = LineRegression{};
       }
       LineSegment& segment = segments_.back();
       segment.last = std::min(static_cast<int>(along_.size()) - 1, pixel + half_window_);
       segment.points = segment.last - segment.first + 1;
-      setPolarForm(line, across, segment);
+      regression.add(line, along_[static_cast<std::size_t>(pixel)]);
+      setPolarForm(regression.line(), across, segment);
       previous = patch;
     }
   }

@@ -112,7 +112,11 @@ void FrameProcessor::process(const CameraFrame& frame) {
 
   const auto outputs_started = std::chrono::steady_clock::now();
   const PublishedPlanes& published = locator_.locate(segmentation, input.camera, segmenter_.header(), places);
-  outputs_.publish(segmenter_.result(published));
+  const SegmentedFrame result = segmenter_.result(published);
+  outputs_.publish(result);
+  if (outputs_.scanlinesWanted()) {
+    outputs_.publishScanlines(result, segmenter_.lineSegments(), segmenter_.candidates());
+  }
   const std::chrono::duration<double, std::milli> output_time =
       std::chrono::steady_clock::now() - outputs_started;
   statistics_.processed(segmentation, segmenter_.clock(), output_time.count(), segmenter_.header().frame_id);

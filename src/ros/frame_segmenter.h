@@ -3,6 +3,8 @@
 
 #include <std_msgs/Header.h>
 
+#include <vector>
+
 #include "line_plane_segmentation/parameters.h"
 #include "line_plane_segmentation/plane_segmenter.h"
 #include "line_plane_segmentation/ros/conversions.h"
@@ -38,6 +40,8 @@ class FrameSegmenter {
   const std_msgs::Header& header() const { return header_; }
 
   const Segmentation& segmentation() const { return *segmentation_; }
+  const std::vector<LineSegment>& lineSegments() const { return segmenter_.lineSegments(); }
+  const std::vector<PlaneCandidate>& candidates() const { return segmenter_.candidates(); }
   const DepthRange& range() const { return range_; }
   const StageClock& clock() const { return clock_; }
 

@@ -27,10 +27,12 @@ Outputs::Outputs(ros::NodeHandle private_nh, const std::function<void()>& subscr
   overlay_ = private_nh.advertise<sensor_msgs::Image>("overlay", kLargeMessages, changed, changed);
   markers_ =
       private_nh.advertise<visualization_msgs::MarkerArray>("markers", kLargeMessages, changed, changed);
+  scanlines_ =
+      private_nh.advertise<visualization_msgs::MarkerArray>("scanlines", kLargeMessages, changed, changed);
 }
 
 bool Outputs::wanted() const {
-  for (const ros::Publisher* publisher : {&planes_, &labels_, &cloud_, &overlay_, &markers_}) {
+  for (const ros::Publisher* publisher : {&planes_, &labels_, &cloud_, &overlay_, &markers_, &scanlines_}) {
     if (wantedBySomebody(*publisher)) return true;
   }
   return false;
@@ -38,12 +40,19 @@ bool Outputs::wanted() const {
 
 bool Outputs::outlinesWanted() const { return wantedBySomebody(planes_) || wantedBySomebody(markers_); }
 
+bool Outputs::scanlinesWanted() const { return wantedBySomebody(scanlines_); }
+
 void Outputs::publish(const SegmentedFrame& frame) const {
   publishIfWanted(planes_, frame, planesMessage);
   publishIfWanted(labels_, frame, labelsImage);
   publishIfWanted(cloud_, frame, coloredCloud);
   publishIfWanted(overlay_, frame, overlayImage);
   publishIfWanted(markers_, frame, planeMarkers);
+}
+
+void Outputs::publishScanlines(const SegmentedFrame& frame, const std::vector<LineSegment>& segments,
+                               const std::vector<PlaneCandidate>& candidates) const {
+  scanlines_.publish(scanlineMarkers(frame, segments, candidates));
 }
 
 }  // namespace line_plane_segmentation

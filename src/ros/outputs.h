@@ -5,6 +5,7 @@
 #include <ros/publisher.h>
 
 #include <functional>
+#include <vector>
 
 #include "line_plane_segmentation/ros/conversions.h"
 
@@ -28,8 +29,14 @@ class Outputs {
   /// Somebody subscribes to one that shows the planes' outlines.
   bool outlinesWanted() const;
 
-  /// Makes and publishes what is wanted.
+  /// Somebody subscribes to the scanlines, which the segmenter makes only when it is asked.
+  bool scanlinesWanted() const;
+
+  /// Makes and publishes what is wanted, but for the scanlines.
   void publish(const SegmentedFrame& frame) const;
+
+  void publishScanlines(const SegmentedFrame& frame, const std::vector<LineSegment>& segments,
+                        const std::vector<PlaneCandidate>& candidates) const;
 
  private:
   ros::Publisher planes_;
@@ -37,6 +44,7 @@ class Outputs {
   ros::Publisher cloud_;
   ros::Publisher overlay_;
   ros::Publisher markers_;
+  ros::Publisher scanlines_;
 };
 
 }  // namespace line_plane_segmentation

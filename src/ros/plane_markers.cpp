@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
-#include <boost/make_shared.hpp>
 #include <cmath>
 #include <cstddef>
 #include <cstdio>
@@ -8,8 +7,9 @@
 #include <utility>
 #include <vector>
 
+#include "label_anchor.h"
 #include "line_plane_segmentation/ros/conversions.h"
-#include "line_plane_segmentation/ros/palette.h"
+#include "marker_tools.h"
 
 namespace line_plane_segmentation {
 namespace {
@@ -18,42 +18,19 @@ using visualization_msgs::Marker;
 
 constexpr double kLineWidth = 0.02;  // [m]
 
-// The plane's own colour would not be seen on the cloud.
-constexpr float kWhitened = 0.6F;
-
-template <typename Vector>
-geometry_msgs::Point pointOf(const Vector& vector) {
-  geometry_msgs::Point point;
-  point.x = vector.x();
-  point.y = vector.y();
-  point.z = vector.z();
-  return point;
-}
-
-float whitened(std::uint8_t channel) {
-  return kWhitened + (1.0F - kWhitened) * static_cast<float>(channel) / 255.0F;
-}
-
-Marker makeMarker(const std_msgs::Header& header, const char* name_space, std::uint32_t id, int type) {
-  Marker marker;
-  marker.header = header;
-  marker.ns = name_space;
-  marker.id = static_cast<std::int32_t>(id);
-  marker.type = type;
-  marker.action = Marker::ADD;
-  marker.pose.orientation.w = 1.0;
-  const Color color = colorOf(id);
-  marker.color.r = whitened(color.r);
-  marker.color.g = whitened(color.g);
-  marker.color.b = whitened(color.b);
-  marker.color.a = 1.0F;
-  return marker;
-}
+// Arrow and text stand here on the plane, in the frame of the messages.
+struct Foot {
+  Eigen::Vector3d point;
+  double room;  // [m] that the plane goes on about it, as the camera sees it
+};
 
 // All rings of the plane as one list of lines.
 Marker outlineMarker(const SegmentedFrame& frame, const PublishedPlane& published) {
+  // The plane's own colour would not be seen on the cloud.
+  constexpr float kWhitened = 0.6F;
   const SegmentedPlane& plane = published.plane;
   Marker marker = makeMarker(frame.published.header, "outlines", published.id, Marker::LINE_LIST);
+  marker.color = toRgba(colorOf(published.id), kWhitened);
   marker.scale.x = kLineWidth;
   const std::vector<Eigen::Vector3f>& vertices = frame.published.vertices;
   for (int r = 0; r < plane.outer_ring_count + plane.hole_count; ++r) {
@@ -67,33 +44,50 @@ Marker outlineMarker(const SegmentedFrame& frame, const PublishedPlane& publishe
   return marker;
 }
 
-double arrowLength(const SegmentedPlane& plane) {
-  return std::min(std::max(0.3 * std::sqrt(plane.area), 0.05), 0.4);
+// Where the ray through the anchor meets the plane; the centroid where there is no anchor.
+Foot footOf(const SegmentedFrame& frame, const PublishedPlane& published, const LabelAnchor& anchor) {
+  const SegmentedPlane& seen = frame.segmentation.planes[published.plane.label - std::size_t{1}];
+  const CameraIntrinsics& camera = frame.camera;
+  const Eigen::Vector3d ray((anchor.u - camera.cx) / camera.fx, (anchor.v - camera.cy) / camera.fy, 1.0);
+  const double toward = -seen.normal.dot(ray);
+  if (anchor.radius == 0 || toward <= 0.0) return {published.plane.centroid, 0.0};
+  const double z = seen.d / toward;
+  return {frame.published.placement * (z * ray), anchor.radius * z / camera.fx};
 }
 
-double textHeight(const SegmentedPlane& plane) {
-  return std::min(std::max(0.3 * std::sqrt(plane.area), 0.03), 0.12);
-}
+double arrowLength(const SegmentedPlane& plane) { return std::clamp(0.3 * std::sqrt(plane.area), 0.05, 0.3); }
 
-Marker normalMarker(const std_msgs::Header& header, const PublishedPlane& published) {
-  const SegmentedPlane& plane = published.plane;
+Marker normalMarker(const std_msgs::Header& header, const PublishedPlane& published, const Foot& foot) {
+  constexpr float kWhitened = 0.6F;
   Marker marker = makeMarker(header, "normals", published.id, Marker::ARROW);
-  const double length = arrowLength(plane);
-  marker.points = {pointOf(plane.centroid), pointOf((plane.centroid + length * plane.normal).eval())};
+  marker.color = toRgba(colorOf(published.id), kWhitened);
+  const double length = arrowLength(published.plane);
+  marker.points = {pointOf(foot.point), pointOf((foot.point + length * published.plane.normal).eval())};
   marker.scale.x = kLineWidth;
   marker.scale.y = 2.5 * kLineWidth;
   marker.scale.z = 0.25 * length;
   return marker;
 }
 
-Marker textMarker(const std_msgs::Header& header, const PublishedPlane& published) {
-  const SegmentedPlane& plane = published.plane;
-  Marker marker = makeMarker(header, "ids", published.id, Marker::TEXT_VIEW_FACING);
-  marker.pose.position = pointOf((plane.centroid + 1.2 * arrowLength(plane) * plane.normal).eval());
-  marker.scale.z = textHeight(plane);
+std::string textOf(const PublishedPlane& published) {
   char area[32];
-  std::snprintf(area, sizeof area, "%.2f", plane.area);
-  marker.text = std::to_string(published.id) + ": " + area + " m^2";
+  std::snprintf(area, sizeof area, "%.2f", published.plane.area);
+  std::string text = std::to_string(published.id) + ": " + area + " m^2";
+  if (published.orientation != Orientation::kUnknown) {
+    std::string orientation = nameOf(published.orientation);
+    std::replace(orientation.begin(), orientation.end(), '_', ' ');
+    text += "\n" + orientation;
+  }
+  return text;
+}
+
+Marker textMarker(const std_msgs::Header& header, const PublishedPlane& published, const Foot& foot) {
+  Marker marker = makeMarker(header, "ids", published.id, Marker::TEXT_VIEW_FACING);
+  marker.color = toRgba({255, 255, 255});
+  const double height = 1.2 * arrowLength(published.plane);
+  marker.pose.position = pointOf((foot.point + height * published.plane.normal).eval());
+  marker.scale.z = std::clamp(0.35 * foot.room, 0.03, 0.1);
+  marker.text = textOf(published);
   return marker;
 }
 
@@ -101,18 +95,16 @@ Marker textMarker(const std_msgs::Header& header, const PublishedPlane& publishe
 
 visualization_msgs::MarkerArray::Ptr planeMarkers(const SegmentedFrame& frame) {
   const std_msgs::Header& header = frame.published.header;
-  auto markers = boost::make_shared<visualization_msgs::MarkerArray>();
-  Marker delete_all = makeMarker(header, "", 0, Marker::CUBE);
-  delete_all.action = Marker::DELETEALL;
-  markers->markers.push_back(delete_all);
-
+  visualization_msgs::MarkerArray::Ptr message = makeMarkerArray(header);
+  const std::vector<LabelAnchor> anchors = labelAnchors(frame.segmentation);
   for (const PublishedPlane& published : frame.published.planes) {
+    const Foot foot = footOf(frame, published, anchors[published.plane.label - std::size_t{1}]);
     Marker outline = outlineMarker(frame, published);
-    if (!outline.points.empty()) markers->markers.push_back(std::move(outline));
-    markers->markers.push_back(normalMarker(header, published));
-    markers->markers.push_back(textMarker(header, published));
+    if (!outline.points.empty()) message->markers.push_back(std::move(outline));
+    message->markers.push_back(normalMarker(header, published, foot));
+    message->markers.push_back(textMarker(header, published, foot));
   }
-  return markers;
+  return message;
 }
 
 }  // namespace line_plane_segmentation

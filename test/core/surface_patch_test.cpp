@@ -205,6 +205,37 @@ TEST(DescribePatches, ShowsAPlaneAsLinesAlongItsScanlines) {
   }
 }
 
+// A segment of many patches is where all of them are, not where the last one points.
+TEST(DescribePatches, LongSegmentsStayOnANoisySurface) {
+  const CameraIntrinsics camera = kinectCamera(640, 480);
+  const ViewRays rays = raysOf(camera, 640, 480);
+  const Surface surface = surfaceAt(2.0, 0.3, 0.2);
+  const Parameters parameters = adaptiveParameters(640);
+  DepthImage depth = render(surface, camera, 640, 480);
+  Random random(3);
+  addNoise(parameters.noise, 1.0, random, depth);
+  std::vector<LineSegment> segments;
+  std::vector<PlaneCandidate> candidates;
+  describePatches(detect(depth, parameters), rays, parameters, segments, candidates);
+  int tested = 0;
+  for (const LineSegment& segment : segments) {
+    const bool is_row = segment.direction == ScanDirection::kRow;
+    const auto scanline = static_cast<std::size_t>(segment.scanline);
+    if (segment.points < 100) continue;
+    ++tested;
+    for (const int pixel : {segment.first, segment.last}) {
+      const auto place = static_cast<std::size_t>(pixel);
+      const double x = rays.x[is_row ? place : scanline];
+      const double y = rays.y[is_row ? scanline : place];
+      const double along = is_row ? x : y, k = std::hypot(is_row ? y : x, 1.0);
+      const double z = segment.r / (k * std::cos(segment.alpha) + along * std::sin(segment.alpha));
+      const double expected = surface.depthAlong(x, y);
+      EXPECT_NEAR(z, expected, 4.0 * parameters.noise.sigma(expected)) << segment.points;
+    }
+  }
+  EXPECT_GT(tested, 20);
+}
+
 TEST(DescribePatches, OfNothingIsNothing) {
   std::vector<LineSegment> segments(3);
   std::vector<PlaneCandidate> candidates(3);

@@ -17,7 +17,8 @@ namespace {
 using Anything = Inbox<topic_tools::ShapeShifter>;
 
 const std::vector<std::string>& outputs() {
-  static const std::vector<std::string> kOutputs = {"planes", "labels", "cloud", "overlay", "markers"};
+  static const std::vector<std::string> kOutputs = {"planes",  "labels",  "cloud",
+                                                    "overlay", "markers", "scanlines"};
   return kOutputs;
 }
 

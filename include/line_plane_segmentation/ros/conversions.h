@@ -7,8 +7,12 @@
 #include <std_msgs/Header.h>
 #include <visualization_msgs/MarkerArray.h>
 
+#include <vector>
+
 #include "line_plane_segmentation/camera_intrinsics.h"
 #include "line_plane_segmentation/depth_view.h"
+#include "line_plane_segmentation/line_segment.h"
+#include "line_plane_segmentation/plane_candidate.h"
 #include "line_plane_segmentation/ros/published_planes.h"
 #include "line_plane_segmentation/segmentation.h"
 
@@ -39,7 +43,15 @@ sensor_msgs::PointCloud2::Ptr coloredCloud(const SegmentedFrame& frame);
 sensor_msgs::Image::Ptr overlayImage(const SegmentedFrame& frame);
 
 /// For rviz: a DELETEALL, and for each plane its outlines with holes (namespace "outlines"), an arrow
-/// along its normal ("normals") and its id and area ("ids").
+/// along its normal ("normals") and its id, area and orientation, where that is known ("ids"). Arrow and text
+/// stand where the camera sees the plane.
 visualization_msgs::MarkerArray::Ptr planeMarkers(const SegmentedFrame& frame);
+
+/// For rviz, the method at work, as the paper's Figure 4 shows it: a DELETEALL, the line segments along rows
+/// ("rows") and columns ("columns") of the image, and the candidates' normals ("candidates").
+/// @param segments, candidates  of this frame
+visualization_msgs::MarkerArray::Ptr scanlineMarkers(const SegmentedFrame& frame,
+                                                     const std::vector<LineSegment>& segments,
+                                                     const std::vector<PlaneCandidate>& candidates);
 
 }  // namespace line_plane_segmentation

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <geometry_msgs/Point.h>
+#include <std_msgs/ColorRGBA.h>
+#include <std_msgs/Header.h>
+#include <visualization_msgs/Marker.h>
+#include <visualization_msgs/MarkerArray.h>
+
+#include <boost/make_shared.hpp>
+#include <cstdint>
+
+#include "line_plane_segmentation/ros/palette.h"
+
+namespace line_plane_segmentation {
+
+template <typename Vector>
+geometry_msgs::Point pointOf(const Vector& vector) {
+  geometry_msgs::Point point;
+  point.x = vector.x();
+  point.y = vector.y();
+  point.z = vector.z();
+  return point;
+}
+
+/// @param whitened  0 leaves the colour as it is, 1 makes it white
+inline std_msgs::ColorRGBA toRgba(const Color& color, float whitened = 0.0F) {
+  const auto channel = [whitened](std::uint8_t value) {
+    return whitened + (1.0F - whitened) * static_cast<float>(value) / 255.0F;
+  };
+  std_msgs::ColorRGBA rgba;
+  rgba.r = channel(color.r);
+  rgba.g = channel(color.g);
+  rgba.b = channel(color.b);
+  rgba.a = 1.0F;
+  return rgba;
+}
+
+inline visualization_msgs::Marker makeMarker(const std_msgs::Header& header, const char* name_space,
+                                             std::uint32_t id, int type) {
+  visualization_msgs::Marker marker;
+  marker.header = header;
+  marker.ns = name_space;
+  marker.id = static_cast<std::int32_t>(id);
+  marker.type = type;
+  marker.action = visualization_msgs::Marker::ADD;
+  marker.pose.orientation.w = 1.0;
+  return marker;
+}
+
+/// A message that deletes all markers of the topic before it draws those that are yet to be added.
+inline visualization_msgs::MarkerArray::Ptr makeMarkerArray(const std_msgs::Header& header) {
+  auto message = boost::make_shared<visualization_msgs::MarkerArray>();
+  message->markers.push_back(makeMarker(header, "", 0, visualization_msgs::Marker::CUBE));
+  message->markers.back().action = visualization_msgs::Marker::DELETEALL;
+  return message;
+}
+
+}  // namespace line_plane_segmentation
