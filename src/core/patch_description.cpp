@@ -32,6 +32,9 @@ class LineRegression {
     }
   }
 
+  bool empty() const { return n_ == 0.0; }
+
+  /// Not of none.
   InverseDepthLine line() const {
     const double slope = (n_ * tw_ - t_ * w_) / (n_ * tt_ - t_ * t_);
     return {slope, (w_ - slope * t_) / n_};
@@ -49,7 +52,7 @@ void setPolarForm(const InverseDepthLine& line, double across, LineSegment& segm
   segment.r = 1.0 / std::hypot(line.slope, line.offset / k);
 }
 
-// Walks one scanline of the grid and joins neighbours whose lines meet half way.
+// Walks one scanline of the grid and joins neighbours for as long as one line leads through all of them.
 class SegmentJoiner {
  public:
   SegmentJoiner(const PatchGrid& grid, const std::vector<float>& along, const Parameters& parameters,
@@ -62,17 +65,17 @@ class SegmentJoiner {
         segments_(segments) {}
 
   void walk(ScanDirection direction, int scanline, double across, int first_patch, int stride, int count) {
-    const SurfacePatch* previous = nullptr;
     LineRegression regression;
     for (int i = 0; i < count; ++i) {
       const SurfacePatch* patch = &grid_.patches[static_cast<std::size_t>(first_patch + i * stride)];
       if (!patch->is_planar) {
-        previous = nullptr;
+        regression = LineRegression{};
         continue;
       }
       const InverseDepthLine line = lineOf(patch->plane, direction, across);
       const int pixel = grid_.pixelOf(i);
-      if (previous == nullptr || !meets(lineOf(previous->plane, direction, across), line, pixel, *patch)) {
+      const double t = along_[static_cast<std::size_t>(pixel)];
+      if (regression.empty() || !leadsTo(*patch, line.slope * t + line.offset, regression.line(), t)) {
         LineSegment segment;
         segment.direction = direction;
         segment.scanline = scanline;
@@ -83,18 +86,15 @@ class SegmentJoiner {
       LineSegment& segment = segments_.back();
       segment.last = std::min(static_cast<int>(along_.size()) - 1, pixel + half_window_);
       segment.points = segment.last - segment.first + 1;
-      regression.add(line, along_[static_cast<std::size_t>(pixel)]);
+      regression.add(line, t);
       setPolarForm(regression.line(), across, segment);
-      previous = patch;
     }
   }
 
  private:
-  bool meets(const InverseDepthLine& before, const InverseDepthLine& after, int pixel,
-             const SurfacePatch& patch) const {
-    const double t = along_[static_cast<std::size_t>(std::max(0, pixel - grid_.spacing / 2))];
-    const double w = after.slope * t + after.offset;
-    return std::fabs(before.slope * t + before.offset - w) < tolerance_.at(w, patch.plane.inverseDistance());
+  // Whether the line goes through the middle of the patch, at t and w.
+  bool leadsTo(const SurfacePatch& patch, double w, const InverseDepthLine& line, double t) const {
+    return std::fabs(line.slope * t + line.offset - w) < tolerance_.at(w, patch.plane.inverseDistance());
   }
 
   const PatchGrid& grid_;

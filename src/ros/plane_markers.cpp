@@ -86,7 +86,7 @@ Marker textMarker(const std_msgs::Header& header, const PublishedPlane& publishe
   marker.color = toRgba({255, 255, 255});
   const double height = 1.2 * arrowLength(published.plane);
   marker.pose.position = pointOf((foot.point + height * published.plane.normal).eval());
-  marker.scale.z = std::clamp(0.35 * foot.room, 0.03, 0.1);
+  marker.scale.z = std::clamp(0.4 * foot.room, 0.05, 0.15);
   marker.text = textOf(published);
   return marker;
 }

@@ -43,7 +43,7 @@ class LineDrawer {
   }
 
   void draw(const PlaneCandidate& candidate, Marker& marker) const {
-    constexpr double kLength = 0.03;  // of the depth: all are about as long in the image
+    constexpr double kLength = 0.04;  // of the depth: all are about as long in the image
     const Eigen::Vector3d ray = rayOf(frame_.camera, candidate.u, candidate.v);
     const double z = -candidate.d / candidate.normal.dot(ray);
     if (!isInRange(z, frame_.range)) return;
@@ -77,7 +77,7 @@ class LineDrawer {
 visualization_msgs::MarkerArray::Ptr scanlineMarkers(const SegmentedFrame& frame,
                                                      const std::vector<LineSegment>& segments,
                                                      const std::vector<PlaneCandidate>& candidates) {
-  constexpr double kSegmentWidth = 0.008;  // [m]
+  constexpr double kSegmentWidth = 0.006;  // [m]
   constexpr double kNormalWidth = 0.004;   // [m]
   Marker rows = makeLines(frame, "rows", kRows, kSegmentWidth);
   Marker columns = makeLines(frame, "columns", kColumns, kSegmentWidth);

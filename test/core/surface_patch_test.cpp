@@ -236,6 +236,29 @@ TEST(DescribePatches, LongSegmentsStayOnANoisySurface) {
   EXPECT_GT(tested, 20);
 }
 
+TEST(DescribePatches, SegmentsEndAtAnEdge) {
+  CameraIntrinsics camera = kinectCamera(640, 480);
+  camera.cx = 324.0;  // half way between two patches
+  const ViewRays rays = raysOf(camera, 640, 480);
+  const Parameters parameters = adaptiveParameters(640);
+  // They meet there, at a right angle.
+  DepthImage depth = render(surfaceAt(2.0, 0.8), camera, 640, 480);
+  paint(surfaceAt(2.0, 0.8 - M_PI / 2), camera, {324, 640, 0, 480}, depth);
+  PatchGrid grid;
+  PatchDetector().detect(depth, rays, parameters, grid);
+  std::vector<LineSegment> segments;
+  std::vector<PlaneCandidate> candidates;
+  describePatches(grid, rays, parameters, segments, candidates);
+  int rows = 0;
+  for (const LineSegment& segment : segments) {
+    if (segment.direction != ScanDirection::kRow) continue;
+    ++rows;
+    EXPECT_FALSE(segment.first < 310 && segment.last > 338) << segment.first << " to " << segment.last;
+    EXPECT_GT(segment.points, 200);
+  }
+  EXPECT_EQ(rows, 2 * 40);
+}
+
 TEST(DescribePatches, OfNothingIsNothing) {
   std::vector<LineSegment> segments(3);
   std::vector<PlaneCandidate> candidates(3);
