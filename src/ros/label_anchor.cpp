@@ -37,7 +37,6 @@ class CellGrid {
     }
   }
 
-  int side() const { return side_; }  // [px]
   int columns() const { return columns_; }
   int rows() const { return rows_; }
   std::uint16_t label(int c, int r) const { return labels_[indexOf(c, r)]; }
@@ -127,7 +126,7 @@ std::vector<LabelAnchor> labelAnchors(const Segmentation& segmentation) {
       const std::size_t k = label - std::size_t{1};
       if (dc * dc + dr * dr >= least[k]) continue;
       least[k] = dc * dc + dr * dr;
-      anchors[k] = {grid.middlePixel(c), grid.middlePixel(r), room * grid.side()};
+      anchors[k] = {true, grid.middlePixel(c), grid.middlePixel(r)};
     }
   }
   return anchors;

@@ -10,9 +10,9 @@ namespace line_plane_segmentation {
 /// A place in the image that a plane fills all around, where a label of it can stand: the middle of the plane
 /// may lie behind something, or in a hole.
 struct LabelAnchor {
-  int u = 0;       ///< [px]
-  int v = 0;       ///< [px]
-  int radius = 0;  ///< [px] about so far it is the plane all around; 0: no such place was found
+  bool found = false;
+  int u = 0;  ///< [px]
+  int v = 0;  ///< [px]
 };
 
 /// One for each of segmentation.planes: the place nearest to the middle of its pixels that has most of the

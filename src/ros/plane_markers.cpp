@@ -18,12 +18,6 @@ using visualization_msgs::Marker;
 
 constexpr double kLineWidth = 0.02;  // [m]
 
-// Arrow and text stand here on the plane, in the frame of the messages.
-struct Foot {
-  Eigen::Vector3d point;
-  double room;  // [m] that the plane goes on about it, as the camera sees it
-};
-
 // All rings of the plane as one list of lines.
 Marker outlineMarker(const SegmentedFrame& frame, const PublishedPlane& published) {
   // The plane's own colour would not be seen on the cloud.
@@ -44,25 +38,27 @@ Marker outlineMarker(const SegmentedFrame& frame, const PublishedPlane& publishe
   return marker;
 }
 
-// Where the ray through the anchor meets the plane; the centroid where there is no anchor.
-Foot footOf(const SegmentedFrame& frame, const PublishedPlane& published, const LabelAnchor& anchor) {
+// Where arrow and text stand, in the frame of the messages: where the ray through the anchor meets the plane,
+// or the centroid if there is no anchor.
+Eigen::Vector3d footOf(const SegmentedFrame& frame, const PublishedPlane& published,
+                       const LabelAnchor& anchor) {
   const SegmentedPlane& seen = frame.segmentation.planes[published.plane.label - std::size_t{1}];
   const CameraIntrinsics& camera = frame.camera;
   const Eigen::Vector3d ray((anchor.u - camera.cx) / camera.fx, (anchor.v - camera.cy) / camera.fy, 1.0);
   const double toward = -seen.normal.dot(ray);
-  if (anchor.radius == 0 || toward <= 0.0) return {published.plane.centroid, 0.0};
-  const double z = seen.d / toward;
-  return {frame.published.placement * (z * ray), anchor.radius * z / camera.fx};
+  if (!anchor.found || toward <= 0.0) return published.plane.centroid;
+  return frame.published.placement * (seen.d / toward * ray);
 }
 
 double arrowLength(const SegmentedPlane& plane) { return std::clamp(0.3 * std::sqrt(plane.area), 0.05, 0.3); }
 
-Marker normalMarker(const std_msgs::Header& header, const PublishedPlane& published, const Foot& foot) {
+Marker normalMarker(const std_msgs::Header& header, const PublishedPlane& published,
+                    const Eigen::Vector3d& foot) {
   constexpr float kWhitened = 0.6F;
   Marker marker = makeMarker(header, "normals", published.id, Marker::ARROW);
   marker.color = toRgba(colorOf(published.id), kWhitened);
   const double length = arrowLength(published.plane);
-  marker.points = {pointOf(foot.point), pointOf((foot.point + length * published.plane.normal).eval())};
+  marker.points = {pointOf(foot), pointOf((foot + length * published.plane.normal).eval())};
   marker.scale.x = kLineWidth;
   marker.scale.y = 2.5 * kLineWidth;
   marker.scale.z = 0.25 * length;
@@ -81,12 +77,13 @@ std::string textOf(const PublishedPlane& published) {
   return text;
 }
 
-Marker textMarker(const std_msgs::Header& header, const PublishedPlane& published, const Foot& foot) {
+Marker textMarker(const std_msgs::Header& header, const PublishedPlane& published,
+                  const Eigen::Vector3d& foot) {
   Marker marker = makeMarker(header, "ids", published.id, Marker::TEXT_VIEW_FACING);
   marker.color = toRgba({255, 255, 255});
   const double height = 1.2 * arrowLength(published.plane);
-  marker.pose.position = pointOf((foot.point + height * published.plane.normal).eval());
-  marker.scale.z = std::clamp(0.4 * foot.room, 0.05, 0.15);
+  marker.pose.position = pointOf((foot + height * published.plane.normal).eval());
+  marker.scale.z = std::clamp(0.09 * std::sqrt(published.plane.area), 0.05, 0.15);
   marker.text = textOf(published);
   return marker;
 }
@@ -98,7 +95,7 @@ visualization_msgs::MarkerArray::Ptr planeMarkers(const SegmentedFrame& frame) {
   visualization_msgs::MarkerArray::Ptr message = makeMarkerArray(header);
   const std::vector<LabelAnchor> anchors = labelAnchors(frame.segmentation);
   for (const PublishedPlane& published : frame.published.planes) {
-    const Foot foot = footOf(frame, published, anchors[published.plane.label - std::size_t{1}]);
+    const Eigen::Vector3d foot = footOf(frame, published, anchors[published.plane.label - std::size_t{1}]);
     Marker outline = outlineMarker(frame, published);
     if (!outline.points.empty()) message->markers.push_back(std::move(outline));
     message->markers.push_back(normalMarker(header, published, foot));

@@ -13,7 +13,7 @@ using visualization_msgs::Marker;
 
 constexpr Color kRows{255, 165, 60};
 constexpr Color kColumns{90, 185, 255};
-constexpr Color kNormals{140, 255, 120};
+constexpr Color kNormals{255, 90, 150};
 
 Marker makeLines(const SegmentedFrame& frame, const char* name_space, Color color, double width) {
   Marker marker = makeMarker(frame.published.header, name_space, 0, Marker::LINE_LIST);
