@@ -109,7 +109,7 @@ std::vector<PlaneCells> cellsOfPlanes(const CellGrid& grid, std::size_t plane_co
 }  // namespace
 
 std::vector<LabelAnchor> labelAnchors(const Segmentation& segmentation) {
-  constexpr double kEnough = 0.6;  // of the most room that there is
+  constexpr double kEnough = 0.8;  // of the most room that there is
   const CellGrid grid(segmentation);
   const std::vector<PlaneCells> cells = cellsOfPlanes(grid, segmentation.planes.size());
 

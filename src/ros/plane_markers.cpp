@@ -77,14 +77,32 @@ std::string textOf(const PublishedPlane& published) {
   return text;
 }
 
-Marker textMarker(const std_msgs::Header& header, const PublishedPlane& published,
-                  const Eigen::Vector3d& foot) {
-  Marker marker = makeMarker(header, "ids", published.id, Marker::TEXT_VIEW_FACING);
+double textHeight(const SegmentedPlane& plane) {
+  return std::clamp(0.09 * std::sqrt(plane.area), 0.05, 0.12);
+}
+
+// From the foot of the arrow to the middle of the text: below the arrow, and so far before the plane that no
+// corner of the text sinks into it, both as the camera sees it. rviz turns texts to its viewer, who looks
+// about the same way.
+Eigen::Vector3d textOffset(const SegmentedFrame& frame, const SegmentedPlane& plane) {
+  const double half_height = 1.2 * textHeight(plane);  // of two lines
+  const double half_width = 4.0 * textHeight(plane);
+  constexpr double kGap = 0.03;                                     // [m]
+  constexpr double kAbout = 0.35;                                   // [rad]
+  const Eigen::Matrix3d axes = frame.published.placement.linear();  // of the image: right, down, ahead
+  const Eigen::Vector3d slope = (axes.transpose() * plane.normal).cwiseAbs();
+  const double sinks = half_width * (slope.x() + kAbout * slope.z()) + half_height * slope.y();
+  const Eigen::Vector3d down = axes.col(1);
+  const Eigen::Vector3d below = (down - down.dot(plane.normal) * plane.normal).stableNormalized();
+  return 1.3 * half_height * below + (sinks + kGap) * plane.normal;
+}
+
+Marker textMarker(const SegmentedFrame& frame, const PublishedPlane& published, const Eigen::Vector3d& foot) {
+  Marker marker = makeMarker(frame.published.header, "ids", published.id, Marker::TEXT_VIEW_FACING);
   marker.color = toRgba({255, 255, 255});
-  const double height = 1.2 * arrowLength(published.plane);
-  marker.pose.position = pointOf((foot + height * published.plane.normal).eval());
-  marker.scale.z = std::clamp(0.09 * std::sqrt(published.plane.area), 0.05, 0.15);
+  marker.scale.z = textHeight(published.plane);
   marker.text = textOf(published);
+  marker.pose.position = pointOf((foot + textOffset(frame, published.plane)).eval());
   return marker;
 }
 
@@ -99,7 +117,7 @@ visualization_msgs::MarkerArray::Ptr planeMarkers(const SegmentedFrame& frame) {
     Marker outline = outlineMarker(frame, published);
     if (!outline.points.empty()) message->markers.push_back(std::move(outline));
     message->markers.push_back(normalMarker(header, published, foot));
-    message->markers.push_back(textMarker(header, published, foot));
+    message->markers.push_back(textMarker(frame, published, foot));
   }
   return message;
 }

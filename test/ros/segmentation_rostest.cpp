@@ -26,6 +26,26 @@ constexpr std::uint32_t kHeight = 480;
 const Eigen::Vector3d kNormal = Eigen::Vector3d(0.2, -0.4, -1.0).normalized();
 constexpr double kDistance = 1.4;
 
+// The newest markers of a topic; a MarkerArray has no header of its own.
+class MarkerInbox {
+ public:
+  explicit MarkerInbox(const std::string& topic)
+      : subscriber_(ros::NodeHandle().subscribe<visualization_msgs::MarkerArray>(
+            topic, 10,
+            [this](const visualization_msgs::MarkerArray::ConstPtr& message) { newest_ = message; })) {}
+  MarkerInbox(const MarkerInbox&) = delete;
+  MarkerInbox& operator=(const MarkerInbox&) = delete;
+
+  const visualization_msgs::MarkerArray::ConstPtr& newest() const { return newest_; }
+  bool waitFor(const ros::Time& stamp) const {
+    return waitUntil([&] { return newest_->markers.front().header.stamp == stamp; });
+  }
+
+ private:
+  visualization_msgs::MarkerArray::ConstPtr newest_;
+  ros::Subscriber subscriber_;
+};
+
 class SegmentationTest : public testing::Test {
  protected:
   SegmentationTest() { EXPECT_TRUE(camera_.waitForSubscriber()); }
@@ -77,18 +97,15 @@ TEST_F(SegmentationTest, answersOnEveryTopic) {
   const Inbox<sensor_msgs::Image> labels("plane_segmenter/labels");
   const Inbox<sensor_msgs::Image> overlay("plane_segmenter/overlay");
   const Inbox<sensor_msgs::PointCloud2> cloud("plane_segmenter/cloud");
-  boost::shared_ptr<const visualization_msgs::MarkerArray> markers;
-  ros::NodeHandle nh;
-  const ros::Subscriber subscriber = nh.subscribe<visualization_msgs::MarkerArray>(
-      "plane_segmenter/markers", 10,
-      [&](const visualization_msgs::MarkerArray::ConstPtr& message) { markers = message; });
+  const MarkerInbox markers("plane_segmenter/markers");
+  const MarkerInbox scanlines("plane_segmenter/scanlines");
   // Subscribers of the other outputs leave no trace at the camera: publish until all are there.
   ros::Time stamp;
   ASSERT_TRUE(waitUntil([&] {
     stamp = nextStamp();
     publishGood(stamp);
     spinFor(0.1);
-    return labels.newest() && overlay.newest() && cloud.newest() && markers;
+    return labels.newest() && overlay.newest() && cloud.newest() && markers.newest() && scanlines.newest();
   }));
   stamp = nextStamp();
   publishGood(stamp);
@@ -96,7 +113,8 @@ TEST_F(SegmentationTest, answersOnEveryTopic) {
   ASSERT_TRUE(labels.waitFor(stamp));
   ASSERT_TRUE(overlay.waitFor(stamp));
   ASSERT_TRUE(cloud.waitFor(stamp));
-  ASSERT_TRUE(waitUntil([&] { return markers->markers.front().header.stamp == stamp; }));
+  ASSERT_TRUE(markers.waitFor(stamp));
+  ASSERT_TRUE(scanlines.waitFor(stamp));
 
   EXPECT_EQ(kCameraFrame, labels.newest()->header.frame_id);
   EXPECT_EQ("16UC1", labels.newest()->encoding);
@@ -107,8 +125,10 @@ TEST_F(SegmentationTest, answersOnEveryTopic) {
   EXPECT_EQ(kCameraFrame, cloud.newest()->header.frame_id);
   EXPECT_EQ(kWidth, cloud.newest()->width);
   EXPECT_EQ(kHeight, cloud.newest()->height);
-  EXPECT_EQ(kCameraFrame, markers->markers.front().header.frame_id);
-  EXPECT_EQ(4U, markers->markers.size());
+  EXPECT_EQ(kCameraFrame, markers.newest()->markers.front().header.frame_id);
+  EXPECT_EQ(4U, markers.newest()->markers.size());
+  EXPECT_EQ(kCameraFrame, scanlines.newest()->markers.front().header.frame_id);
+  EXPECT_EQ(4U, scanlines.newest()->markers.size());
 
   std::size_t labelled = 0;
   for (std::size_t i = 0; i < labels.newest()->data.size(); i += 2) {
