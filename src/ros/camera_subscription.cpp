@@ -5,6 +5,8 @@
 
 #include <utility>
 
+#include "contain_exceptions.h"
+
 namespace line_plane_segmentation {
 
 CameraSubscription::CameraSubscription(const ros::NodeHandle& nh, const ros::NodeHandle& private_nh,
@@ -39,15 +41,19 @@ void CameraSubscription::unsubscribe() {
 }
 
 void CameraSubscription::onImage(const sensor_msgs::ImageConstPtr& image) {
-  times_.image = std::chrono::steady_clock::now();
-  CameraFrame frame;
-  if (pairing_.add(image, frame)) deliver(std::move(frame));
+  containExceptions(image_topic_, [&] {
+    times_.image = std::chrono::steady_clock::now();
+    CameraFrame frame;
+    if (pairing_.add(image, frame)) deliver(std::move(frame));
+  });
 }
 
 void CameraSubscription::onInfo(const sensor_msgs::CameraInfoConstPtr& info) {
-  times_.info = std::chrono::steady_clock::now();
-  CameraFrame frame;
-  if (pairing_.add(info, frame)) deliver(std::move(frame));
+  containExceptions(info_topic_, [&] {
+    times_.info = std::chrono::steady_clock::now();
+    CameraFrame frame;
+    if (pairing_.add(info, frame)) deliver(std::move(frame));
+  });
 }
 
 void CameraSubscription::deliver(CameraFrame frame) {

@@ -2,7 +2,6 @@
 #include "frame_processor.h"
 
 #include <chrono>
-#include <exception>
 #include <thread>
 
 #include "line_plane_segmentation/ros/conversions.h"
@@ -12,40 +11,20 @@ namespace line_plane_segmentation {
 FrameProcessor::FrameProcessor(const std::string& name, const InputLimits& limits, std::size_t queue_size,
                                const Outputs& outputs, tf2::BufferCore& transforms)
     : outputs_(outputs),
-      queue_(queue_size),
       advice_(name),
       segmenter_(limits),
       locator_(transforms),
-      thread_([this] { run(); }) {}
-
-FrameProcessor::~FrameProcessor() {
-  queue_.close();
-  thread_.join();
-}
+      worker_(
+          queue_size, [this](const CameraFrame& frame) { process(frame); },
+          [this](const std::string& problem) {
+            statistics_.failed(problem);
+            advice_.failed(problem);
+          }) {}
 
 void FrameProcessor::setParameters(const NodeletParameters& parameters) {
   const std::lock_guard<std::mutex> lock(parameters_mutex_);
   parameters_ = parameters;
   parameters_changed_ = true;
-}
-
-void FrameProcessor::run() {
-  CameraFrame frame;
-  while (queue_.pop(frame)) {
-    std::string problem;
-    try {
-      process(frame);
-    } catch (const std::exception& exception) {
-      problem = exception.what();
-    } catch (...) {
-      problem = "an exception of unknown type";
-    }
-    if (!problem.empty()) {
-      statistics_.failed(problem);
-      advice_.failed(problem);
-    }
-    frame = CameraFrame{};
-  }
 }
 
 void FrameProcessor::applyParameters() {
@@ -71,7 +50,7 @@ CameraPlaces FrameProcessor::findPlaces(const CameraFrame& frame) const {
   constexpr std::chrono::milliseconds kPause(2);
   const std::chrono::duration<double> patience(locator_.parameters().frames.tf_patience);
   CameraPlaces places = locator_.lookUp(segmenter_.header());
-  while (places.isLate() && Clock::now() - frame.arrived < patience && !queue_.closed()) {
+  while (places.isLate() && Clock::now() - frame.arrived < patience && !worker_.queue().closed()) {
     std::this_thread::sleep_for(kPause);
     places = locator_.lookUp(segmenter_.header());
   }

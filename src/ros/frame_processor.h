@@ -3,11 +3,10 @@
 
 #include <mutex>
 #include <string>
-#include <thread>
 
-#include "frame_queue.h"
 #include "frame_segmenter.h"
 #include "frame_statistics.h"
+#include "frame_worker.h"
 #include "input_advice.h"
 #include "line_plane_segmentation/ros/parameter_config.h"
 #include "outputs.h"
@@ -26,20 +25,13 @@ class FrameProcessor {
   FrameProcessor(const std::string& name, const InputLimits& limits, std::size_t queue_size,
                  const Outputs& outputs, tf2::BufferCore& transforms);
 
-  /// Waits for the frame that is being processed.
-  ~FrameProcessor();
-
-  FrameProcessor(const FrameProcessor&) = delete;
-  FrameProcessor& operator=(const FrameProcessor&) = delete;
-
   /// Takes effect, all at once, with the next frame that is begun. Never waits for a frame.
   void setParameters(const NodeletParameters& parameters);
 
-  FrameQueue& queue() { return queue_; }
+  FrameQueue& queue() { return worker_.queue(); }
   FrameStatistics& statistics() { return statistics_; }
 
  private:
-  void run();
   void process(const CameraFrame& frame);
   void applyParameters();
   CameraPlaces findPlaces(const CameraFrame& frame) const;
@@ -47,7 +39,6 @@ class FrameProcessor {
   void refuse(Refusal refusal, const std::string& explanation);
 
   const Outputs& outputs_;
-  FrameQueue queue_;
   FrameStatistics statistics_;
 
   std::mutex parameters_mutex_;
@@ -60,7 +51,7 @@ class FrameProcessor {
   PlaneLocator locator_;
   bool tracing_outlines_ = true;
 
-  std::thread thread_;
+  FrameWorker worker_;  // last: its thread uses all of the above
 };
 
 }  // namespace line_plane_segmentation

@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "contain_exceptions.h"
 #include "status_report.h"
 
 namespace line_plane_segmentation {
@@ -47,12 +48,14 @@ void PlaneSegmenterNodelet::onInit() {
     updater_->setHardwareID("none");
     updater_->add("plane segmentation", this, &PlaneSegmenterNodelet::reportStatus);
     // Not Updater::update(): it falls silent when simulated time goes back.
-    report_timer_ = getNodeHandle().createWallTimer(
-        ros::WallDuration(1.0), [this](const ros::WallTimerEvent&) { updater_->force_update(); });
+    report_timer_ =
+        getNodeHandle().createWallTimer(ros::WallDuration(1.0), [this](const ros::WallTimerEvent&) {
+          containExceptions(getName(), [this] { updater_->force_update(); });
+        });
   } catch (const std::exception& exception) {
     ROS_ERROR("[%s] does not start: %s", getName().c_str(), exception.what());
   }
-  updateSubscription();
+  containExceptions(getName(), [this] { updateSubscription(); });
 }
 
 void PlaneSegmenterNodelet::start() {
@@ -65,15 +68,17 @@ void PlaneSegmenterNodelet::start() {
   limits.max_pixels = static_cast<std::uint64_t>(
       intParameter(private_nh, "max_pixels", static_cast<int>(limits.max_pixels), 1, 1 << 28));
 
-  outputs_ = std::make_unique<Outputs>(private_nh, [this] { updateSubscription(); });
+  outputs_ = std::make_unique<Outputs>(
+      private_nh, [this] { containExceptions(getName(), [this] { updateSubscription(); }); });
   transforms_ = std::make_unique<TransformFeed>(nh);
   processor_ = std::make_unique<FrameProcessor>(getName(), limits, static_cast<std::size_t>(queue_size),
                                                 *outputs_, transforms_->buffer());
   subscription_ = std::make_unique<CameraSubscription>(
       nh, private_nh, queue_size, [this](CameraFrame frame) { processor_->queue().push(std::move(frame)); });
   reconfigure_server_ = std::make_unique<dynamic_reconfigure::Server<PlaneSegmenterConfig>>(private_nh);
-  reconfigure_server_->setCallback(
-      [this](PlaneSegmenterConfig& config, std::uint32_t) { reconfigure(config); });
+  reconfigure_server_->setCallback([this](PlaneSegmenterConfig& config, std::uint32_t) {
+    containExceptions(getName(), [&] { reconfigure(config); });
+  });
 }
 
 void PlaneSegmenterNodelet::stop() {

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "frame_worker.h"
+
+#include <exception>
+#include <utility>
+
+namespace line_plane_segmentation {
+
+FrameWorker::FrameWorker(std::size_t queue_size, Process process, Failed failed)
+    : process_(std::move(process)),
+      failed_(std::move(failed)),
+      queue_(queue_size),
+      thread_([this] { run(); }) {}
+
+FrameWorker::~FrameWorker() {
+  queue_.close();
+  thread_.join();
+}
+
+void FrameWorker::run() {
+  CameraFrame frame;
+  while (queue_.pop(frame)) {
+    work(frame);
+    // Gone before the next one comes: whoever made it may wait for it.
+    frame = CameraFrame{};
+  }
+}
+
+void FrameWorker::work(const CameraFrame& frame) {
+  try {
+    process_(frame);
+  } catch (const std::exception& exception) {
+    tell(exception.what());
+  } catch (...) {
+    tell("an exception of unknown type");
+  }
+}
+
+void FrameWorker::tell(const char* problem) noexcept {
+  try {
+    failed_(problem);
+  } catch (...) {
+    // Without memory even the telling can fail; the next frame may find some again.
+    return;
+  }
+}
+
+}  // namespace line_plane_segmentation
