@@ -39,6 +39,10 @@ void visitTrackingParameters(ParametersType& p, Visitor&& visitor) {
 /// a plane is the one before with which it shares the largest part of these points, if both lie alike. Planes
 /// that share no points, after an absence or a sudden motion, are known again by their coefficients.
 ///
+/// A surface that objects cut apart is seen now as one plane, now as several. Planes that were seen as one,
+/// and lie in one direction, are parts of it from then on: its id goes with the largest of them that is in
+/// view.
+///
 /// Ids count from 1 and none is used twice before reset(). The same sequence of input gives the same ids, bit
 /// by bit. Allocates nothing once warm; what it remembers is bounded, whatever is seen. Not thread-safe.
 class PlaneTracker {

@@ -6,6 +6,8 @@
 #include <cstddef>
 
 #include "plane_samples.h"
+#include "plane_track.h"
+#include "surface_parts.h"
 
 namespace line_plane_segmentation {
 namespace {
@@ -28,26 +30,11 @@ constexpr double kDisagreement = 2.0;
 constexpr double kStrictness = 1.0 / 3.0;
 constexpr double kReach = 2.0;
 
-// A plane that was seen. Everything is in the optical frame of the last image.
-struct Track {
-  std::uint32_t id;
-  double last_seen;  // [s]
-  Eigen::Vector3d normal;
-  double d;
-  Eigen::Vector3d centroid;
-  std::size_t samples;  // all
-  int plane;            // of this image that it was found to be; -1 = none
-};
-
 struct Pair {
   double score;
   int track;
   int plane;
 };
-
-double angleBetween(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
-  return std::atan2(a.cross(b).norm(), a.dot(b));
-}
 
 // 1 where nothing is off, 0 beyond the bounds.
 double agreement(double angle, double max_angle, double distance, double max_distance) {
@@ -64,8 +51,9 @@ struct PlaneTracker::Memory {
   bool tracking = true;
 
   std::uint32_t last_id = 0;
-  double last_image = 0.0;    // [s]
-  std::vector<Track> tracks;  // those that were not seen in the last image come first, the oldest before all
+  double last_image = 0.0;  // [s]
+  std::vector<PlaneTrack>
+      tracks;  // those that were not seen in the last image come first, the oldest before all
   std::vector<PlaneSample> samples;  // of the tracks
 
   // Of this image:
@@ -78,7 +66,7 @@ struct PlaneTracker::Memory {
   std::vector<int> in_view;  // samples of each track that are expected within this image
   std::vector<SampleVotes> votes;
   std::vector<Pair> pairs;
-  std::vector<Track> next_tracks;
+  std::vector<PlaneTrack> next_tracks;
   std::vector<PlaneSample> next_samples;
   std::vector<int> next_index;
 
@@ -91,7 +79,7 @@ struct PlaneTracker::Memory {
 };
 
 void PlaneTracker::Memory::move(const Eigen::Isometry3d* motion) {
-  for (Track& track : tracks) {
+  for (PlaneTrack& track : tracks) {
     track.plane = -1;
     if (motion == nullptr) continue;
     track.normal = motion->linear() * track.normal;
@@ -128,7 +116,7 @@ void PlaneTracker::Memory::matchByCoefficients(const std::vector<SegmentedPlane>
     const SegmentedPlane& plane = planes[k];
     const double reach = kReach * std::sqrt(plane.area);
     for (std::size_t t = 0; t < tracks.size(); ++t) {
-      const Track& track = tracks[t];
+      const PlaneTrack& track = tracks[t];
       const double apart = (track.centroid - plane.centroid).norm();
       if (track.plane >= 0 || apart > reach) continue;
       const double distance = std::max(std::abs(track.normal.dot(plane.centroid) + track.d),
@@ -148,7 +136,7 @@ void PlaneTracker::Memory::takeBestPairs() {
     return a.track != b.track ? a.track < b.track : a.plane < b.plane;
   });
   for (const Pair& pair : pairs) {
-    Track& track = tracks[static_cast<std::size_t>(pair.track)];
+    PlaneTrack& track = tracks[static_cast<std::size_t>(pair.track)];
     int& track_of_plane = track_of[static_cast<std::size_t>(pair.plane)];
     if (track.plane >= 0 || track_of_plane >= 0) continue;
     track.plane = pair.plane;
@@ -161,7 +149,7 @@ void PlaneTracker::Memory::keepLostTracks(double seconds) {
   // From the newest to the oldest, to see which are too many; then in their order.
   std::size_t lost = 0, lost_samples = 0;
   for (std::size_t t = tracks.size(); t-- > 0;) {
-    const Track& track = tracks[t];
+    const PlaneTrack& track = tracks[t];
     if (track.plane >= 0 || seconds - track.last_seen > memory) continue;
     lost_samples += track.samples;
     if (++lost > kMaxLostTracks || lost_samples > kMaxLostSamples) break;
@@ -181,15 +169,21 @@ void PlaneTracker::Memory::keepLostTracks(double seconds) {
 }
 
 void PlaneTracker::Memory::addSeenTracks(const std::vector<SegmentedPlane>& planes, double seconds) {
-  const int first = static_cast<int>(next_tracks.size());
-  ids.clear();
+  const std::size_t first = next_tracks.size();
   for (std::size_t k = 0; k < planes.size(); ++k) {
     const SegmentedPlane& plane = planes[k];
-    ids.push_back(track_of[k] >= 0 ? tracks[static_cast<std::size_t>(track_of[k])].id : ++last_id);
-    next_tracks.push_back({ids.back(), seconds, plane.normal, plane.d, plane.centroid,
-                           static_cast<std::size_t>(seen_count[k]), -1});
+    const bool is_new = track_of[k] < 0;
+    const PlaneTrack* known = is_new ? nullptr : &tracks[static_cast<std::size_t>(track_of[k])];
+    const std::uint32_t id = is_new ? ++last_id : known->id;
+    next_tracks.push_back({id, is_new ? id : known->surface, seconds, plane.normal, plane.d, plane.centroid,
+                           plane.inliers, static_cast<std::size_t>(seen_count[k]), -1});
   }
-  for (const PlaneSample& sample : seen) next_samples.push_back({sample.point, first + sample.owner});
+  for (const PlaneSample& sample : seen) {
+    next_samples.push_back({sample.point, static_cast<int>(first) + sample.owner});
+  }
+  passIdsOn(first, next_tracks);
+  ids.clear();
+  for (std::size_t t = first; t < next_tracks.size(); ++t) ids.push_back(next_tracks[t].id);
 }
 
 PlaneTracker::PlaneTracker(const TrackingParameters& parameters) : memory_(std::make_unique<Memory>()) {
@@ -222,6 +216,7 @@ const std::vector<std::uint32_t>& PlaneTracker::track(const Segmentation& segmen
   countVotes(m.samples, m.tracks.size(), segmentation, camera, m.in_view, m.votes);
   m.matchByOverlap(segmentation.planes);
   m.matchByCoefficients(segmentation.planes);
+  joinParts(segmentation.planes, m.track_of, m.in_view, m.votes, m.tracks);
   m.keepLostTracks(seconds);
   m.addSeenTracks(segmentation.planes, seconds);
   m.tracks.swap(m.next_tracks);

@@ -168,6 +168,41 @@ TEST_F(Tracking, GivesBothTheirIdsBackAfterTheyWereSeenAsOne) {
   }
 }
 
+// A pillar comes before the back wall. What was seen as one plane keeps its id while any part of it is seen.
+TEST_F(Tracking, KeepsTheIdOfASurfaceInParts) {
+  const Wall whole = walls_[kBack];
+  const Wall large{{-0.5, -2, 4}, {2, 0, 0}, {0, 3, 0}}, small{{-1.5, -2, 4}, {0.7, 0, 0}, {0, 3, 0}};
+  for (const bool motion_known : {false, true}) {
+    tracker_.reset();
+    walls_ = {small, large};
+    look(pose(0), motion_known);
+    EXPECT_EQ(idsOfAll(), (std::vector<std::uint32_t>{2, 1})) << "nobody has seen that they are one";
+    walls_ = {whole};
+    look(pose(0), motion_known);
+    EXPECT_EQ(idsOfAll(), (std::vector<std::uint32_t>{1}));
+    walls_ = {small, large};
+    look(pose(0), motion_known);
+    EXPECT_EQ(idsOfAll(), (std::vector<std::uint32_t>{2, 1}));
+    walls_[1].there = false;
+    look(pose(0), motion_known);
+    EXPECT_EQ(idOf(0), 1U) << "it is what is left of the wall";
+    walls_[1].there = true;
+    look(pose(0), motion_known);
+    EXPECT_EQ(idsOfAll(), (std::vector<std::uint32_t>{2, 1})) << "the larger part by far";
+  }
+}
+
+TEST_F(Tracking, KeepsCoplanarThingsApartThatWereNeverSeenAsOne) {
+  walls_ = {{{-0.5, -2, 4}, {2, 0, 0}, {0, 3, 0}}, {{-1.5, -2, 4}, {0.7, 0, 0}, {0, 3, 0}}};
+  look(pose(0), true);
+  walls_[0].there = false;
+  look(pose(0), true);
+  EXPECT_EQ(idOf(1), 2U);
+  walls_[0].there = true;
+  look(pose(0), true);
+  EXPECT_EQ(idsOfAll(), (std::vector<std::uint32_t>{1, 2}));
+}
+
 TEST_F(Tracking, TakesNoOtherPlaneInTheSamePlaceForIt) {
   const Wall slanted{{-0.5, 0.3, 2.4}, {1, 0, 0}, {0, 0.3, 1.0}};     // turned by 73 degrees
   const Wall behind{{-0.65, 0.65, 3.25}, {1.3, 0, 0}, {0, 0.65, 0}};  // the same pixels, a third farther away
