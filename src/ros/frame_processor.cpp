@@ -98,7 +98,8 @@ void FrameProcessor::process(const CameraFrame& frame) {
   }
   const std::chrono::duration<double, std::milli> output_time =
       std::chrono::steady_clock::now() - outputs_started;
-  statistics_.processed(segmentation, segmenter_.clock(), output_time.count(), segmenter_.header().frame_id);
+  statistics_.processed(segmentation, segmenter_.clock(), output_time.count(), segmenter_.header().frame_id,
+                        delayOf(segmenter_.header().stamp, ros::Time::now()));
 }
 
 }  // namespace line_plane_segmentation

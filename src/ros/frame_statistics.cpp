@@ -2,11 +2,22 @@
 #include "frame_statistics.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace line_plane_segmentation {
 
+std::optional<double> delayOf(const ros::Time& stamp, const ros::Time& now) {
+  constexpr double kLongest = 3600.0;  // [s]
+  if (stamp.isZero() || now.isZero()) return {};
+  // Not as a difference of times, which throws where it is too large.
+  const double delay = now.toSec() - stamp.toSec();
+  if (std::abs(delay) > kLongest) return {};
+  return delay;
+}
+
 void FrameStatistics::processed(const Segmentation& segmentation, const StageClock& clock,
-                                double output_milliseconds, const std::string& frame_id) {
+                                double output_milliseconds, const std::string& frame_id,
+                                const std::optional<double>& delay) {
   const double pixels = std::max(1.0, static_cast<double>(segmentation.labels.size()));
   const double milliseconds = clock.totalMilliseconds() + output_milliseconds;
 
@@ -21,6 +32,11 @@ void FrameStatistics::processed(const Segmentation& segmentation, const StageClo
     sums_.stage_milliseconds[static_cast<std::size_t>(i)] += clock.milliseconds(static_cast<Stage>(i));
   }
   sums_.output_milliseconds += output_milliseconds;
+  if (delay) {
+    sums_.max_delay = sums_.delays == 0 ? *delay : std::max(sums_.max_delay, *delay);
+    sums_.delay += *delay;
+    ++sums_.delays;
+  }
   sums_.last_refusal = Refusal::kNone;
   sums_.last_problem.clear();
   sums_.frame_id = frame_id;
@@ -54,11 +70,14 @@ FrameReport FrameStatistics::take() {
   report.milliseconds /= frames;
   for (double& stage : report.stage_milliseconds) stage /= frames;
   report.output_milliseconds /= frames;
+  report.delay /= std::max(1.0, static_cast<double>(report.delays));
 
   sums_.frames = 0;
   sums_.planes = sums_.valid_share = 0.0;
   sums_.milliseconds = sums_.max_milliseconds = sums_.output_milliseconds = 0.0;
   sums_.stage_milliseconds.fill(0.0);
+  sums_.delays = 0;
+  sums_.delay = sums_.max_delay = 0.0;
   return report;
 }
 

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <ros/time.h>
+
 #include <array>
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <mutex>
+#include <optional>
 #include <string>
 
 #include "line_plane_segmentation/plane_segmenter.h"
@@ -26,6 +29,9 @@ struct FrameReport {
   double max_milliseconds = 0.0;                         ///< [ms] the slowest frame
   std::array<double, kStageCount> stage_milliseconds{};  ///< [ms] a frame
   double output_milliseconds = 0.0;                      ///< [ms] a frame, making and publishing messages
+  std::uint64_t delays = 0;                              ///< frames whose delay is known
+  double delay = 0.0;                                    ///< [s] a frame, from its stamp to its publishing
+  double max_delay = 0.0;                                ///< [s]
 
   // Since the beginning:
   std::uint64_t total_frames = 0;
@@ -37,11 +43,15 @@ struct FrameReport {
   std::string frame_id;                   ///< of the last frame
 };
 
+/// The time since a stamp [s]; unknown if one of the two is not set, or if they are not of one clock: a bag
+/// that is played without its clock, or a camera that counts from its start.
+std::optional<double> delayOf(const ros::Time& stamp, const ros::Time& now);
+
 /// Counts frames: written by the thread that processes, read by the one that reports.
 class FrameStatistics {
  public:
   void processed(const Segmentation& segmentation, const StageClock& clock, double output_milliseconds,
-                 const std::string& frame_id);
+                 const std::string& frame_id, const std::optional<double>& delay);
   void refused(Refusal refusal, const std::string& explanation, const std::string& frame_id);
   void failed(const std::string& problem);
 

@@ -131,7 +131,8 @@ void PlaneSegmenterNodelet::reportStatus(diagnostic_updater::DiagnosticStatusWra
     status.dropped = processor_->queue().dropped();
     status.newly_dropped = status.dropped - std::exchange(reported_dropped_, status.dropped);
     status.frames = processor_->statistics().take();
-    if (!status.frames.frame_id.empty()) updater_->setHardwareID(status.frames.frame_id);
+    // The updater's own would be late by one report.
+    if (!status.frames.frame_id.empty()) diagnostics.hardware_id = status.frames.frame_id;
   }
   report(status, std::chrono::steady_clock::now(), diagnostics);
 }

@@ -69,6 +69,14 @@ void report(const NodeletStatus& status, TimePoint now,
   diagnostics.add("image topic", status.image_topic);
   diagnostics.add("camera_info topic", status.info_topic);
   diagnostics.addf("rate [Hz]", "%.2f", static_cast<double>(frames.frames) / seconds);
+  if (frames.delays > 0) {
+    diagnostics.addf("delay [ms]", "%.1f", 1000.0 * frames.delay);
+    diagnostics.addf("longest delay [ms]", "%.1f", 1000.0 * frames.max_delay);
+  } else {
+    const char* unknown = frames.frames > 0 ? "unknown: the stamps are not of this clock" : "unknown";
+    diagnostics.add("delay [ms]", unknown);
+    diagnostics.add("longest delay [ms]", unknown);
+  }
   diagnostics.add("frames processed", frames.total_frames);
   diagnostics.add("frames dropped", status.dropped);
   diagnostics.add("frames failed", frames.total_failed);

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <chrono>
+#include <optional>
 #include <string>
 
 namespace line_plane_segmentation {
@@ -137,6 +138,31 @@ TEST(StatusReport, figures) {
   EXPECT_EQ("4.00", valueOf(diagnostics, "planes a frame"));
   EXPECT_EQ("90.0", valueOf(diagnostics, "pixels with depth [%]"));
   EXPECT_EQ("3.25", valueOf(diagnostics, "time of extraction [ms]"));
+  for (int i = 0; i < kStageCount; ++i) {
+    const std::string key = std::string("time of ") + nameOf(static_cast<Stage>(i)) + " [ms]";
+    EXPECT_NE("no such key", valueOf(diagnostics, key)) << key;
+  }
+}
+
+TEST(StatusReport, delay) {
+  NodeletStatus status = statusOfWorkingNodelet();
+  EXPECT_EQ("unknown: the stamps are not of this clock", valueOf(reportOf(status), "delay [ms]"));
+  status.frames.delays = 60;
+  status.frames.delay = 0.0123;
+  status.frames.max_delay = 0.2;
+  EXPECT_EQ("12.3", valueOf(reportOf(status), "delay [ms]"));
+  EXPECT_EQ("200.0", valueOf(reportOf(status), "longest delay [ms]"));
+  status.frames = FrameReport{};
+  EXPECT_EQ("unknown", valueOf(reportOf(status), "delay [ms]"));
+}
+
+TEST(DelayOf, isKnownWithinOneClock) {
+  EXPECT_NEAR(0.25, delayOf(ros::Time(1000.0), ros::Time(1000.25)).value(), 1e-6);
+  EXPECT_NEAR(-0.5, delayOf(ros::Time(1000.5), ros::Time(1000.0)).value(), 1e-6) << "another machine's clock";
+  EXPECT_FALSE(delayOf(ros::Time(0.0), ros::Time(1000.0)));
+  EXPECT_FALSE(delayOf(ros::Time(1000.0), ros::Time(0.0))) << "simulated time has not begun";
+  EXPECT_FALSE(delayOf(ros::Time(1000.0), ros::Time(1700000000.0))) << "a bag without its clock";
+  EXPECT_FALSE(delayOf(ros::Time(4294967295.0), ros::Time(1000.0))) << "far future";
 }
 
 TEST(FrameStatistics, makesMeansOfTheTimeSinceTheLastReport) {
@@ -146,25 +172,31 @@ TEST(FrameStatistics, makesMeansOfTheTimeSinceTheLastReport) {
   segmentation.planes.resize(2);
   segmentation.valid_pixels = 5;
   const StageClock clock;
-  statistics.processed(segmentation, clock, 1.0, "camera");
+  statistics.processed(segmentation, clock, 1.0, "camera", 0.5);
   segmentation.planes.resize(3);
   segmentation.valid_pixels = 10;
-  statistics.processed(segmentation, clock, 3.0, "camera");
+  statistics.processed(segmentation, clock, 3.0, "camera", -0.1);
+  statistics.processed(segmentation, clock, 2.0, "camera", std::nullopt);
   statistics.refused(Refusal::kEncoding, "no depth image", "camera");
 
   FrameReport report = statistics.take();
-  EXPECT_EQ(2U, report.frames);
-  EXPECT_EQ(2.5, report.planes);
-  EXPECT_EQ(0.75, report.valid_share);
+  EXPECT_EQ(3U, report.frames);
+  EXPECT_EQ(8.0 / 3.0, report.planes);
+  EXPECT_EQ(2.5 / 3.0, report.valid_share);
   EXPECT_EQ(2.0, report.milliseconds);
   EXPECT_EQ(3.0, report.max_milliseconds);
+  EXPECT_EQ(2U, report.delays);
+  EXPECT_DOUBLE_EQ(0.2, report.delay);
+  EXPECT_EQ(0.5, report.max_delay);
   EXPECT_EQ(Refusal::kEncoding, report.last_refusal);
   EXPECT_EQ(1U, report.total_refused[static_cast<std::size_t>(Refusal::kEncoding)]);
 
   report = statistics.take();
   EXPECT_EQ(0U, report.frames);
   EXPECT_EQ(0.0, report.planes);
-  EXPECT_EQ(2U, report.total_frames);
+  EXPECT_EQ(3U, report.total_frames);
+  EXPECT_EQ(0U, report.delays);
+  EXPECT_EQ(0.0, report.max_delay);
 }
 
 }  // namespace

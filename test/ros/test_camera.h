@@ -44,6 +44,12 @@ class TestCamera {
     info_publisher_.publish(info);
   }
 
+  /// Publishes an image whose camera_info never comes.
+  void publishImage(sensor_msgs::Image image, const ros::Time& stamp) {
+    image.header.stamp = stamp;
+    image_publisher_.publish(image);
+  }
+
   unsigned imageSubscribers() const { return image_publisher_.getNumSubscribers(); }
   unsigned infoSubscribers() const { return info_publisher_.getNumSubscribers(); }
 

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What /diagnostics says to a user who wonders why nothing comes, and when all is well.
+#include <diagnostic_msgs/DiagnosticArray.h>
+#include <gtest/gtest.h>
+#include <line_plane_segmentation/PlaneArray.h>
+
+#include <cstdlib>
+#include <string>
+
+#include "test_camera.h"
+
+namespace line_plane_segmentation {
+namespace {
+
+using diagnostic_msgs::DiagnosticStatus;
+
+class Diagnostics : public testing::Test {
+ protected:
+  // The segmenter's part of the newest report that has it.
+  const DiagnosticStatus& status() {
+    if (!reports_.newest()) return status_;
+    for (const DiagnosticStatus& status : reports_.newest()->status) {
+      if (status.name == "plane_segmenter: plane segmentation") status_ = status;
+    }
+    return status_;
+  }
+
+  bool says(const std::string& message) {
+    return waitUntil([&] { return status().message == message; });
+  }
+
+  double number(const std::string& key) {
+    for (const auto& value : status().values) {
+      if (value.key == key) return std::strtod(value.value.c_str(), nullptr);
+    }
+    ADD_FAILURE() << "no " << key;
+    return -1.0;
+  }
+
+  TestCamera camera_;
+  Inbox<diagnostic_msgs::DiagnosticArray> reports_{"/diagnostics"};
+  DiagnosticStatus status_;
+};
+
+TEST_F(Diagnostics, speakPlainly) {
+  EXPECT_TRUE(says("nobody subscribes to my outputs: idle")) << status().message;
+  EXPECT_EQ(DiagnosticStatus::OK, status().level);
+
+  const Inbox<PlaneArray> planes("plane_segmenter/planes");
+  EXPECT_TRUE(says("waiting for images on /depth/image_rect")) << status().message;
+
+  sensor_msgs::Image image = imageOfPlane(320, 240, "16UC1", Eigen::Vector3d(0.0, 0.0, -1.0), 1.5);
+  const sensor_msgs::CameraInfo info = testInfo(320, 240);
+  const std::string no_info = "waiting for camera_info on /depth/camera_info";
+  EXPECT_TRUE(waitUntil([&] {
+    camera_.publishImage(image, ros::Time::now());
+    return status().message == no_info;
+  })) << status().message;
+
+  EXPECT_TRUE(waitUntil([&] {
+    camera_.publish(image, info, ros::Time::now());
+    spinFor(0.02);
+    return status().message == "segmenting" && number("rate [Hz]") > 10.0;
+  })) << status().message;
+  EXPECT_EQ(DiagnosticStatus::OK, status().level);
+  EXPECT_EQ(kCameraFrame, status().hardware_id);
+  EXPECT_EQ(1.0, number("planes a frame"));
+  EXPECT_EQ(100.0, number("pixels with depth [%]"));
+  EXPECT_GT(number("delay [ms]"), 0.0);
+  EXPECT_GE(number("longest delay [ms]"), number("delay [ms]"));
+  EXPECT_LT(number("longest delay [ms]"), 1000.0);
+  EXPECT_EQ(0.0, number("frames dropped"));
+  double stages = 0.0;
+  for (const char* stage : {"lines", "candidates", "extraction", "refinement", "outlines"}) {
+    const double milliseconds = number(std::string("time of ") + stage + " [ms]");
+    EXPECT_GE(milliseconds, 0.0);
+    stages += milliseconds;
+  }
+  EXPECT_GT(stages, 0.0);
+  EXPECT_NEAR(number("time a frame [ms]"), stages + number("time of outputs [ms]"), 0.05);
+
+  image.encoding = "rgb8";
+  EXPECT_TRUE(waitUntil([&] {
+    camera_.publish(image, info, ros::Time::now());
+    spinFor(0.02);
+    return status().level == DiagnosticStatus::WARN;
+  }));
+  EXPECT_EQ(0U, status().message.find("refused (encoding): encoding 'rgb8' is no depth image"))
+      << status().message;
+  EXPECT_GT(number("frames refused: encoding"), 0.0);
+}
+
+}  // namespace
+}  // namespace line_plane_segmentation
+
+int main(int argc, char** argv) {
+  testing::InitGoogleTest(&argc, argv);
+  ros::init(argc, argv, "diagnostics_rostest");
+  const ros::NodeHandle keeps_ros_running;
+  return RUN_ALL_TESTS();
+}
