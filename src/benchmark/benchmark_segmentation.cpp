@@ -10,6 +10,7 @@
 #include "report.h"
 #include "run_tool.h"
 #include "scaling.h"
+#include "segmentation_pictures.h"
 #include "time_picture.h"
 
 namespace line_plane_segmentation {
@@ -36,6 +37,9 @@ po::options_description options() {
       "without", po::value<std::vector<std::string>>()->value_name("METHOD")->default_value({}, ""),
       "leaves a method out; may be given more than once")(
       "warm", "every timed run follows one of the same method on the same frame")(
+      "pictures",
+      "also writes what each method finds in each frame to DIR: FRAME.METHOD.png, and all of them "
+      "beside each other, segmentations.png")(
       "no-scaling", "leaves out sizes, numbers of planes and cameras")("help", "this text");
   return shown;
 }
@@ -108,6 +112,18 @@ void writeResults(const fs::path& folder, const BenchmarkResults& results, const
   files.commit();
 }
 
+// Of the frames at their full size.
+void writePictures(const fs::path& folder, const std::vector<BenchmarkFrame>& frames,
+                   const std::vector<Contestant>& methods) {
+  const std::vector<BenchmarkFrame> full(frames.begin(),
+                                         frames.begin() + static_cast<std::ptrdiff_t>(frames.size() / 2));
+  const SegmentationPictures pictures = drawSegmentations(full, methods);
+  OutputFiles files;
+  for (const auto& [name, picture] : pictures.single) files.add(folder / (name + ".png"), encodePng(picture));
+  files.add(folder / "segmentations.png", encodePng(pictures.sheet));
+  files.commit();
+}
+
 void benchmarkSegmentation(int argc, char** argv) {
   const po::variables_map given = parseOptions(argc, argv, options(), {});
   if (given.count("help") != 0) return printHelp();
@@ -116,10 +132,12 @@ void benchmarkSegmentation(int argc, char** argv) {
                                given.count("warm") != 0};
   const std::vector<std::string> methods = methodsOf(given);
   const std::vector<BenchmarkFrame> frames = framesOf(given);
+  if (given.count("pictures") != 0) required(given, "out");
   if (given.count("out") != 0) makeOutputFolder(given["out"].as<std::string>());
 
   BenchmarkResults results;
-  results.frames = measure(frames, contestants(methods), how);
+  const std::vector<Contestant> engines = contestants(methods);
+  results.frames = measure(frames, engines, how);
   if (given.count("no-scaling") == 0) {
     results.sizes = measureSizes(how);
     results.planes = measurePlanes(how);
@@ -128,6 +146,7 @@ void benchmarkSegmentation(int argc, char** argv) {
   const std::string report = markdownReport(results);
   std::cout << report;
   if (given.count("out") != 0) writeResults(given["out"].as<std::string>(), results, report);
+  if (given.count("pictures") != 0) writePictures(given["out"].as<std::string>(), frames, engines);
 }
 
 }  // namespace

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
+#include <vector>
 
 #include "benchmark_frame.h"
 #include "line_plane_segmentation/plane_segmenter.h"
@@ -23,6 +25,10 @@ class Engine {
   /// Finds the planes of the loaded frame. Timed, and may be called again.
   /// @return how many were found
   virtual int segment() = 0;
+
+  /// The label of every pixel of the loaded frame, row by row: 0 no plane, k the k-th plane. Finds the planes
+  /// once more, if it has to. Not timed.
+  virtual std::vector<std::uint16_t> labels() = 0;
 
   /// Of the last call of segment(); null if the method is not made of this package's stages.
   virtual const StageTimes* stageTimes() const { return nullptr; }

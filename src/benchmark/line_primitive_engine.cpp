@@ -35,6 +35,10 @@ class LinePrimitiveEngine : public Engine {
     return static_cast<int>(segmenter_.segment(frame_->view(), frame_->camera, &clock_).planes.size());
   }
 
+  std::vector<std::uint16_t> labels() override {
+    return segmenter_.segment(frame_->view(), frame_->camera).labels;
+  }
+
   const StageTimes* stageTimes() const override { return &clock_.times(); }
 
  private:

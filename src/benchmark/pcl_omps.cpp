@@ -14,11 +14,45 @@ class Omps : public Engine {
   explicit Omps(bool refine) : refine_(refine) {}
 
   void load(const BenchmarkFrame& frame) override {
+    frame_ = &frame;
     cloud_ = organisedCloud(frame);
     min_inliers_ = pixelsAt(frame, 5000, 1000);
   }
 
   int segment() override {
+    pcl::OrganizedMultiPlaneSegmentation<pcl::PointXYZ, pcl::Normal, pcl::Label> segmentation;
+    prepare(segmentation);
+    Regions regions;
+    if (refine_) {
+      segmentation.segmentAndRefine(regions);
+    } else {
+      segmentation.segment(regions);
+    }
+    return static_cast<int>(regions.size());
+  }
+
+  std::vector<std::uint16_t> labels() override {
+    pcl::OrganizedMultiPlaneSegmentation<pcl::PointXYZ, pcl::Normal, pcl::Label> segmentation;
+    prepare(segmentation);
+    std::vector<pcl::ModelCoefficients> coefficients;
+    std::vector<pcl::PointIndices> planes;
+    if (refine_) {
+      Regions regions;
+      pcl::PointCloud<pcl::Label>::Ptr point_labels(new pcl::PointCloud<pcl::Label>);
+      std::vector<pcl::PointIndices> label_indices, boundaries;
+      segmentation.segmentAndRefine(regions, coefficients, planes, point_labels, label_indices, boundaries);
+    } else {
+      segmentation.segment(coefficients, planes);
+    }
+    return labelsOfOrganised(*frame_, planes);
+  }
+
+ private:
+  using Regions = std::vector<pcl::PlanarRegion<pcl::PointXYZ>,
+                              Eigen::aligned_allocator<pcl::PlanarRegion<pcl::PointXYZ>>>;
+
+  void prepare(
+      pcl::OrganizedMultiPlaneSegmentation<pcl::PointXYZ, pcl::Normal, pcl::Label>& segmentation) const {
     constexpr float kMaxDepthChange = 0.02F;
     constexpr float kNormalSmoothing = 20.0F;
     constexpr double kAngle = 3.0 * M_PI / 180.0;
@@ -32,24 +66,15 @@ class Omps : public Engine {
     estimation.setInputCloud(cloud_);
     estimation.compute(*normals);
 
-    pcl::OrganizedMultiPlaneSegmentation<pcl::PointXYZ, pcl::Normal, pcl::Label> segmentation;
     segmentation.setMinInliers(static_cast<unsigned>(min_inliers_));
     segmentation.setAngularThreshold(kAngle);
     segmentation.setDistanceThreshold(kDistance);
     segmentation.setInputNormals(normals);
     segmentation.setInputCloud(cloud_);
-    std::vector<pcl::PlanarRegion<pcl::PointXYZ>, Eigen::aligned_allocator<pcl::PlanarRegion<pcl::PointXYZ>>>
-        regions;
-    if (refine_) {
-      segmentation.segmentAndRefine(regions);
-    } else {
-      segmentation.segment(regions);
-    }
-    return static_cast<int>(regions.size());
   }
 
- private:
   bool refine_;
+  const BenchmarkFrame* frame_ = nullptr;
   pcl::PointCloud<pcl::PointXYZ>::Ptr cloud_;
   int min_inliers_ = 0;
 };

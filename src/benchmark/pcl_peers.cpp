@@ -62,6 +62,31 @@ pcl::PointCloud<pcl::PointXYZ>::Ptr validPoints(const BenchmarkFrame& frame) {
   return cloud;
 }
 
+std::vector<std::uint16_t> labelsOfOrganised(const BenchmarkFrame& frame,
+                                             const std::vector<pcl::PointIndices>& planes) {
+  std::vector<std::uint16_t> labels(frame.depth.size(), 0);
+  for (std::size_t k = 0; k < planes.size(); ++k) {
+    for (const auto index : planes[k].indices)
+      labels[static_cast<std::size_t>(index)] = static_cast<std::uint16_t>(k + 1);
+  }
+  return labels;
+}
+
+std::vector<std::uint16_t> labelsOfValid(const BenchmarkFrame& frame,
+                                         const std::vector<pcl::PointIndices>& planes) {
+  std::vector<std::size_t> pixels;
+  for (std::size_t i = 0; i < frame.depth.size(); ++i) {
+    if (frame.depth[i] != 0) pixels.push_back(i);
+  }
+  std::vector<std::uint16_t> labels(frame.depth.size(), 0);
+  for (std::size_t k = 0; k < planes.size(); ++k) {
+    for (const auto index : planes[k].indices) {
+      labels[pixels[static_cast<std::size_t>(index)]] = static_cast<std::uint16_t>(k + 1);
+    }
+  }
+  return labels;
+}
+
 int pixelsAt(const BenchmarkFrame& frame, int at_vga, int at_qvga) {
   const double pixels = static_cast<double>(frame.width) * frame.height;
   if (pixels <= kQvgaPixels) return static_cast<int>(std::lround(at_qvga * pixels / kQvgaPixels));

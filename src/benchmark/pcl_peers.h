@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <pcl/PointIndices.h>
 #include <pcl/point_cloud.h>
 #include <pcl/point_types.h>
 
@@ -20,6 +21,14 @@ pcl::PointCloud<pcl::PointXYZ>::Ptr organisedCloud(const BenchmarkFrame& frame);
 
 /// The points of a frame that have a depth, in no order that PCL knows of.
 pcl::PointCloud<pcl::PointXYZ>::Ptr validPoints(const BenchmarkFrame& frame);
+
+/// The labels of a frame whose k-th plane are the points planes[k - 1] of its organised cloud.
+std::vector<std::uint16_t> labelsOfOrganised(const BenchmarkFrame& frame,
+                                             const std::vector<pcl::PointIndices>& planes);
+
+/// The same for points of validPoints().
+std::vector<std::uint16_t> labelsOfValid(const BenchmarkFrame& frame,
+                                         const std::vector<pcl::PointIndices>& planes);
 
 /// A number of pixels that the paper chose at VGA, and at QVGA, by the frame's size.
 int pixelsAt(const BenchmarkFrame& frame, int at_vga, int at_qvga);

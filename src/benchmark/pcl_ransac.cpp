@@ -13,11 +13,27 @@ namespace {
 class Ransac : public Engine {
  public:
   void load(const BenchmarkFrame& frame) override {
+    frame_ = &frame;
     cloud_ = validPoints(frame);
     min_inliers_ = static_cast<std::size_t>(pixelsAt(frame, 40000, 10000));
   }
 
   int segment() override {
+    int planes = 0;
+    extract([&planes](const pcl::PointIndices&) { ++planes; });
+    return planes;
+  }
+
+  std::vector<std::uint16_t> labels() override {
+    std::vector<pcl::PointIndices> planes;
+    extract([&planes](const pcl::PointIndices& inliers) { planes.push_back(inliers); });
+    return labelsOfValid(*frame_, planes);
+  }
+
+ private:
+  // Calls `found` for each plane.
+  template <typename Found>
+  void extract(Found found) const {
     constexpr double kDistance = 0.02;
     constexpr int kIterations = 100;
 
@@ -32,18 +48,15 @@ class Ransac : public Engine {
     std::iota(left->begin(), left->end(), 0);
     pcl::PointIndices inliers;
     pcl::ModelCoefficients plane;
-    int planes = 0;
     while (left->size() >= min_inliers_) {
       segmentation.setIndices(left);
       segmentation.segment(inliers, plane);
       if (inliers.indices.size() < min_inliers_) break;
-      ++planes;
+      found(inliers);
       left = without(*left, inliers.indices);
     }
-    return planes;
   }
 
- private:
   pcl::IndicesPtr without(const std::vector<int>& all, const std::vector<int>& taken) const {
     std::vector<bool> is_taken(cloud_->size(), false);
     for (const int index : taken) is_taken[static_cast<std::size_t>(index)] = true;
@@ -55,6 +68,7 @@ class Ransac : public Engine {
     return left;
   }
 
+  const BenchmarkFrame* frame_ = nullptr;
   pcl::PointCloud<pcl::PointXYZ>::Ptr cloud_;
   std::size_t min_inliers_ = 0;
 };

@@ -14,17 +14,23 @@ namespace {
 class RegionGrowing : public Engine {
  public:
   void load(const BenchmarkFrame& frame) override {
+    frame_ = &frame;
     cloud_ = validPoints(frame);
     min_inliers_ = pixelsAt(frame, 5000, 1000);
   }
 
-  int segment() override {
+  int segment() override { return static_cast<int>(clusters().size()); }
+
+  std::vector<std::uint16_t> labels() override { return labelsOfValid(*frame_, clusters()); }
+
+ private:
+  std::vector<pcl::PointIndices> clusters() const {
     constexpr int kNormalNeighbours = 100;
     constexpr unsigned kGrowingNeighbours = 20;
     constexpr float kAngle = static_cast<float>(3.0 * M_PI / 180.0);
     constexpr float kAnyCurvature = 1.0F;
 
-    if (cloud_->empty()) return 0;
+    if (cloud_->empty()) return {};
     pcl::search::KdTree<pcl::PointXYZ>::Ptr tree(new pcl::search::KdTree<pcl::PointXYZ>);
     pcl::PointCloud<pcl::Normal>::Ptr normals(new pcl::PointCloud<pcl::Normal>);
     pcl::NormalEstimation<pcl::PointXYZ, pcl::Normal> estimation;
@@ -44,10 +50,10 @@ class RegionGrowing : public Engine {
     growing.setInputNormals(normals);
     std::vector<pcl::PointIndices> clusters;
     growing.extract(clusters);
-    return static_cast<int>(clusters.size());
+    return clusters;
   }
 
- private:
+  const BenchmarkFrame* frame_ = nullptr;
   pcl::PointCloud<pcl::PointXYZ>::Ptr cloud_;
   int min_inliers_ = 0;
 };

@@ -36,6 +36,7 @@ TEST(BenchmarkSegmentation, RefusesWhatItCannotDo) {
   expectRefused({"--repetitions", "-1"}, "--repetitions must be");
   expectRefused({"--without", "luck"}, "'luck'");
   expectRefused({"--frames", "/nowhere"}, "/nowhere/frames.csv");
+  expectRefused({"--pictures"}, "--out is missing");
   expectRefused({"surplus"}, "");
 }
 
