@@ -111,7 +111,7 @@ class BagSegmentation {
       refuse(topic, "planes cannot be given in target_frame: " + places.target.problem);
     } else {
       const Segmentation& segmentation = segmenter.segmentation();
-      writeMessages(slot.frame,
+      writeMessages(slot,
                     segmenter.result(locator.locate(segmentation, input.camera, segmenter.header(), places)));
       ++topic.frames;
       topic.planes += segmentation.planes.size();
@@ -140,7 +140,8 @@ class BagSegmentation {
     return places;
   }
 
-  void writeMessages(const BagFrame& frame, const SegmentedFrame& result) {
+  void writeMessages(const Slot& slot, const SegmentedFrame& result) {
+    const BagFrame& frame = slot.frame;
     const std::string& name = frame.topic->result_namespace;
     const PlaneArray::Ptr planes = planesMessage(result);
     out_->write(name + "/planes", frame.time, *planes);
@@ -149,6 +150,11 @@ class BagSegmentation {
     if (task_.cloud) out_->write(name + "/cloud", frame.time, *coloredCloud(result));
     if (task_.overlay) out_->write(name + "/overlay", frame.time, *overlayImage(result));
     if (task_.markers) out_->write(name + "/markers", frame.time, *planeMarkers(result));
+    if (task_.scanlines) {
+      const FrameSegmenter& segmenter = slot.segmenter;
+      out_->write(name + "/scanlines", frame.time,
+                  *scanlineMarkers(result, segmenter.lineSegments(), segmenter.candidates()));
+    }
   }
 
   std::string whyNothing() const {

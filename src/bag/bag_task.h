@@ -26,6 +26,7 @@ struct BagTask {
   bool cloud = false;
   bool overlay = false;
   bool markers = false;
+  bool scanlines = false;
   bool input = false;  ///< every message of `in`
 
   rosbag::CompressionType compression = rosbag::compression::LZ4;

@@ -25,9 +25,10 @@ po::options_description options() {
       "a depth image topic, with its camera_info beside it; may be given more than once; without it, "
       "every 16UC1 and 32FC1 image topic")("labels", "write the label images, too")(
       "cloud", "write the coloured clouds, too (large)")("overlay", "write the overlay pictures, too")(
-      "markers", "write the markers for rviz, too")("input", "copy every message of IN.bag, too")(
-      "all", "all of these")("csv", po::value<std::string>()->value_name("FILE"),
-                             "also write a table, a row for each plane")(
+      "markers", "write the markers for rviz, too")("scanlines",
+                                                    "write the line segments and candidates for rviz, too")(
+      "input", "copy every message of IN.bag, too")("all", "all of these")(
+      "csv", po::value<std::string>()->value_name("FILE"), "also write a table, a row for each plane")(
       "compression", po::value<std::string>()->value_name("NAME")->default_value("lz4"),
       "of OUT.bag: lz4, bz2 or none");
   addParameterOptions(shown);
@@ -41,7 +42,8 @@ void printHelp() {
                "  segment_bag [OPTION]... IN.bag OUT.bag\n\n"
                "For the images of /camera/depth/image_raw it writes /camera/plane_segmenter/planes and, "
                "where asked "
-               "for,\nlabels, cloud, overlay and markers, each with the stamp of its image. A second depth "
+               "for,\nlabels, cloud, overlay, markers and scanlines, each with the stamp of its image. A "
+               "second depth "
                "topic of "
                "the same\ncamera, say /camera/depth/image_rect, has "
                "/camera/depth/image_rect/plane_segmenter/planes. "
@@ -83,6 +85,7 @@ BagTask taskOf(const po::variables_map& given) {
   task.cloud = all || given.count("cloud") != 0;
   task.overlay = all || given.count("overlay") != 0;
   task.markers = all || given.count("markers") != 0;
+  task.scanlines = all || given.count("scanlines") != 0;
   task.input = all || given.count("input") != 0;
   task.compression = compressionOf(given);
   return task;

@@ -100,7 +100,7 @@ TEST(SegmentBag, givesWhatTheRunningSegmenterPublishes) {
   Record<PlaneArray> planes("planes");
   Record<sensor_msgs::Image> labels("labels"), overlay("overlay");
   Record<sensor_msgs::PointCloud2> cloud("cloud");
-  Record<visualization_msgs::MarkerArray> markers("markers");
+  Record<visualization_msgs::MarkerArray> markers("markers"), scanlines("scanlines");
   TestCamera camera;
   ASSERT_TRUE(camera.waitForSubscriber());
   ros::NodeHandle nh;
@@ -109,7 +109,8 @@ TEST(SegmentBag, givesWhatTheRunningSegmenterPublishes) {
 
   // Until the segmenter knows of all subscribers. What it saw so long before does not count for the ids.
   const auto count = [&] {
-    return std::min({planes.size(), labels.size(), overlay.size(), cloud.size(), markers.size()});
+    return std::min(
+        {planes.size(), labels.size(), overlay.size(), cloud.size(), markers.size(), scanlines.size()});
   };
   ros::Time long_ago(10.0);
   ASSERT_TRUE(waitUntil([&] {
@@ -124,6 +125,7 @@ TEST(SegmentBag, givesWhatTheRunningSegmenterPublishes) {
   overlay.clear();
   cloud.clear();
   markers.clear();
+  scanlines.clear();
 
   const TemporaryFolder folder;
   const std::string in = (folder / "in.bag").string();
@@ -160,6 +162,7 @@ TEST(SegmentBag, givesWhatTheRunningSegmenterPublishes) {
   overlay.expectSameIn(out);
   cloud.expectSameIn(out);
   markers.expectSameIn(out);
+  scanlines.expectSameIn(out);
 }
 
 }  // namespace

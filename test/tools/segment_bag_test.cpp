@@ -91,6 +91,7 @@ TEST_F(SegmentBag, WritesOnRequestAllThatTheNodeletPublishesAndTheInput) {
                                         {"/camera/plane_segmenter/markers", 2},
                                         {"/camera/plane_segmenter/overlay", 2},
                                         {kPlanes, 2},
+                                        {"/camera/plane_segmenter/scanlines", 2},
                                         {"/notes", 1}}));
   const auto images = readAll<sensor_msgs::Image>(out());
   EXPECT_EQ(bytesOf(*images.at(kDepth)[1]), bytesOf(wallImage(1)));
@@ -200,8 +201,9 @@ TEST_F(SegmentBag, PassesOverWhatTheNodeletRefuses) {
 TEST_F(SegmentBag, ExplainsItself) {
   const ToolResult result = runProcess(SEGMENT_BAG, {"--help"});
   EXPECT_EQ(result.exit_code, 0);
-  for (const char* word : {"--topic", "--labels", "--cloud", "--overlay", "--markers", "--input", "--csv",
-                           "--compression", "--preset", "plane_distance", "gravity_frame", "track_memory"}) {
+  for (const char* word :
+       {"--topic", "--labels", "--cloud", "--overlay", "--markers", "--scanlines", "--input", "--csv",
+        "--compression", "--preset", "plane_distance", "gravity_frame", "track_memory"}) {
     EXPECT_NE(result.out.find(word), std::string::npos) << word;
   }
 }
