@@ -28,6 +28,8 @@ struct ScanlineParameters {
   double max_range = 10.0;  ///< [m] farther depths count as missing
   int scanline_spacing =
       0;  ///< [px] between scanlines; paper: 30 (VGA), 20 (QVGA). Higher -> faster, misses small planes
+  int fine_spacing = 0;  ///< [px] method adaptive: the same where lines are found but no plane. Higher ->
+                         ///< faster, misses narrow planes; from scanline_spacing on: nowhere
 };
 
 /// Line regression, Algorithm 1. 0 means: from the image's width.
@@ -87,13 +89,15 @@ struct PatchParameters {
 
 /// Method adaptive: which patches make one plane.
 struct ClusterParameters {
-  double merge_cost = 8.0;     ///< [-] neighbours merge if that moves neither by more, in tolerances squared.
+  double merge_cost = 9.0;     ///< [-] neighbours merge if that moves neither by more, in tolerances squared.
                                ///< Higher -> fewer, larger planes over blunt edges
   double coplanar_cost = 4.0;  ///< [-] the same for planes apart, with an object before the gap; 0 = never.
                                ///< Higher -> more is joined across gaps
-  double max_curvedness = 1.5;  ///< [-] largest mean squared error of a small plane, in tolerances squared.
+  double max_curvedness = 1.2;  ///< [-] largest mean squared error of a small plane, in tolerances squared.
                                 ///< Higher -> pieces of curved things, as people, count as planes
-  int min_patches = 4;          ///< [-] smallest plane in patches. Higher -> only large planes
+  double max_bend = 0.1;  ///< [-] mean square that a small plane may deviate as a curved surface would, in
+                          ///< tolerances squared. Higher -> pieces of smooth curved things count as planes
+  int min_patches = 4;    ///< [-] smallest plane in patches. Higher -> only large planes
 };
 
 /// Method adaptive: tidying the label image. 0 means: from the image's width.
@@ -136,6 +140,7 @@ void visitParameters(ParametersType& p, Visitor&& visitor) {
   visitor("min_range", p.scanlines.min_range, 0.0, 100.0);
   visitor("max_range", p.scanlines.max_range, 0.1, 1000.0);
   visitor("scanline_spacing", p.scanlines.scanline_spacing, 0, 200);
+  visitor("fine_spacing", p.scanlines.fine_spacing, 0, 200);
   visitor("line_window", p.lines.line_window, 0, 101);
   visitor("min_line_points", p.lines.min_line_points, 0, 1000);
   visitor("line_fidelity", p.lines.line_fidelity, 0.01, 1000.0);
@@ -155,6 +160,7 @@ void visitParameters(ParametersType& p, Visitor&& visitor) {
   visitor("merge_cost", p.clusters.merge_cost, 0.0, 1000.0);
   visitor("coplanar_cost", p.clusters.coplanar_cost, 0.0, 1000.0);
   visitor("max_curvedness", p.clusters.max_curvedness, 0.01, 1000.0);
+  visitor("max_bend", p.clusters.max_bend, 0.0, 1000.0);
   visitor("min_patches", p.clusters.min_patches, 1, 1000);
   visitor("min_region_pixels", p.cleanup.min_region_pixels, 0, 100000);
   visitor("trace_outlines", p.outlines.trace_outlines, false, true);

@@ -15,7 +15,7 @@ namespace line_plane_segmentation {
 class PixelAssigner {
  public:
   /// @param image  k + 1 for cluster k, 0 for no plane, kNoDepthLabel for no depth
-  void assign(const DepthImage& depth, const ViewRays& rays, const PatchGrid& grid,
+  void assign(const DepthImage& depth, const ViewRays& rays, const PatchLevels& levels,
               const std::vector<PatchCluster>& clusters, const std::vector<int>& cluster_of,
               const Parameters& parameters, LabelRuns& image);
 
@@ -25,11 +25,20 @@ class PixelAssigner {
     int cluster, first, last;
   };
 
-  void findSpans(const PatchGrid& grid, int row, int width, const std::vector<int>& cluster_of);
+  /// The clusters of a grid of square tiles; -1 is none.
+  struct Tiles {
+    int spacing, columns, rows;
+    const int* cluster_of;
+  };
+
+  void findSpans(const Tiles& tiles, int row, int width, std::vector<Span>& spans);
+  void assignSpans(const std::vector<Span>& spans, const std::vector<PatchCluster>& clusters, const float* z,
+                   const ViewRays& rays, double y, double plane_distance);
 
   bool isLikeNeighbors(const LabelRun& before, const LabelRun& speckle, const LabelRun& after) const;
 
-  std::vector<Span> spans_;
+  std::vector<Span> spans_, fine_spans_;  // of the rows of tiles that the image's row lies in
+  std::vector<int> fine_cluster_;         // of each fine crossing, or -1
   std::vector<int> open_span_;  // of each cluster, in the row of the grid being looked at; -1 if none
   // One row of the image.
   std::vector<float> inverse_depth_, inverse_tolerance_, best_;

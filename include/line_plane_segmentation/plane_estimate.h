@@ -3,7 +3,8 @@
 
 #include <Eigen/Core>
 
-#include "line_plane_segmentation/patch_clustering.h"
+#include "line_plane_segmentation/cluster_forest.h"
+#include "line_plane_segmentation/plane_fit.h"
 
 namespace line_plane_segmentation {
 
@@ -22,5 +23,12 @@ struct PlaneEstimate {
 /// pixels have in common: each is counted in up to two windows, and the steps of the disparity move
 /// neighbours alike.
 PlaneEstimate estimatePlane(const PatchCluster& cluster);
+
+/// The plane of a narrow surface, whose patches reach its borders: by PCA of all pixels with its label.
+///
+/// The errors of its pixels are shared by many of them, since the disparity's steps run along the surface and
+/// at its borders pixels see something else, too: its covariance takes them for no more than eight
+/// independent ones.
+PlaneEstimate estimateFromPixels(const PlaneFit& fit, const PointMoments& moments);
 
 }  // namespace line_plane_segmentation

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "line_plane_segmentation/camera_intrinsics.h"
@@ -23,12 +24,12 @@ class PlaneMeasurement {
   /// @param min_area      [m²]
   /// @param image         relabelled where a label goes
   /// @param segmentation  its planes and the number of its assigned pixels are filled in
-  /// @param estimates     the coefficients of label k are estimates[k - 1]; if there are none, each is fitted
-  /// by PCA to
-  ///                      all of its pixels, as the paper has it
+  /// @param estimates     the coefficients of label k are estimates[k - 1], or where there is none those of
+  ///                      estimateFromPixels(); if the vector is empty, each is fitted by PCA to all of its
+  ///                      pixels, as the paper has it
   void measure(const DepthImage& depth, const ViewRays& rays, const CameraIntrinsics& camera, int label_count,
                double min_area, LabelRuns& image, Segmentation& segmentation,
-               const std::vector<PlaneEstimate>& estimates = {});
+               const std::vector<std::optional<PlaneEstimate>>& estimates = {});
 
  private:
   struct Sums {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
+#include <cstdint>
 #include <vector>
 
 #include "line_plane_segmentation/depth_image.h"
@@ -14,6 +16,7 @@ namespace line_plane_segmentation {
 /// The local plane where a row and a column cross, held up by two straight line primitives: the windows of
 /// the two scanlines around the crossing.
 struct SurfacePatch {
+  bool has_line = false;   ///< one of the windows is straight, at least
   bool is_planar = false;  ///< both windows are straight and lie in one plane; if not, nothing below is set
   RegressionMoments moments;
   InverseDepthPlane plane;
@@ -29,6 +32,49 @@ struct PatchGrid {
   /// The image row through the patches of a row of the grid; the same for columns.
   int pixelOf(int index) const { return spacing / 2 + index * spacing; }
   int indexOf(int column, int row) const { return row * columns + column; }
+
+  /// The patch nearest to a pixel: of the tile, `spacing` pixels wide, that it lies in.
+  int indexAt(int u, int v) const {
+    const int column = std::clamp(u / spacing, 0, columns - 1), row = std::clamp(v / spacing, 0, rows - 1);
+    return indexOf(column, row);
+  }
+};
+
+/// Planar patches of some crossings of finer scanlines.
+struct FinePatches {
+  int spacing = 1;  ///< [px] between scanlines
+  int columns = 0, rows = 0;
+  std::vector<SurfacePatch> patches;
+  std::vector<int> cells;     ///< of each patch the number of its crossing, row by row
+  std::vector<int> patch_at;  ///< of each crossing its patch, or -1
+
+  int pixelOf(int index) const { return spacing / 2 + index * spacing; }
+  double shareOfPicture() const { return 1.0 / std::max(1.0, static_cast<double>(columns) * rows); }
+  /// -1 also above the first row.
+  int patchAt(int cell) const { return cell < 0 ? -1 : patch_at[static_cast<std::size_t>(cell)]; }
+};
+
+/// All patches of an image: those of the scanlines, and of finer ones where there are lines that no plane
+/// explains. They are numbered through, first all crossings of the coarse ones, then the fine patches.
+struct PatchLevels {
+  PatchGrid coarse;
+  FinePatches fine;
+
+  int firstFine() const { return static_cast<int>(coarse.patches.size()); }
+  int count() const { return firstFine() + static_cast<int>(fine.patches.size()); }
+  const SurfacePatch& patch(int i) const {
+    return i < firstFine() ? coarse.patches[static_cast<std::size_t>(i)]
+                           : fine.patches[static_cast<std::size_t>(i - firstFine())];
+  }
+  int u(int i) const {
+    return i < firstFine() ? coarse.pixelOf(i % coarse.columns) : fine.pixelOf(cellOf(i) % fine.columns);
+  }
+  int v(int i) const {
+    return i < firstFine() ? coarse.pixelOf(i / coarse.columns) : fine.pixelOf(cellOf(i) / fine.columns);
+  }
+
+ private:
+  int cellOf(int i) const { return fine.cells[static_cast<std::size_t>(i - firstFine())]; }
 };
 
 /// Stages 1 to 3 of the adaptive method. A window of a scanline is fitted by linear regression in inverse
@@ -37,6 +83,12 @@ class PatchDetector {
  public:
   /// @param parameters  resolved for the width of the image
   void detect(const DepthImage& depth, const ViewRays& rays, const Parameters& parameters, PatchGrid& grid);
+
+  /// Looks more closely, with shorter windows, where there are lines that no plane explains.
+  /// @param explained  for each patch of levels.coarse whether it is part of a plane
+  /// @param levels     levels.fine is filled; it is empty if the parameters want nothing finer
+  void refine(const DepthImage& depth, const ViewRays& rays, const Parameters& parameters,
+              const std::vector<std::uint8_t>& explained, PatchLevels& levels);
 
  private:
   /// Sums over the pixels of a scanline that have a depth: of their number, ray coordinate t and inverse
@@ -52,6 +104,8 @@ class PatchDetector {
 
   void sumRows(const DepthImage& depth, const ViewRays& rays, int half_window, const PatchGrid& grid);
   void sumColumns(const DepthImage& depth, const ViewRays& rays, int half_window, const PatchGrid& grid);
+  static LineSums sumRow(const DepthImage& depth, const ViewRays& rays, int u, int v, int half_window);
+  static LineSums sumColumn(const DepthImage& depth, const ViewRays& rays, int u, int v, int half_window);
   static void fitCrossing(const LineSums& row, const LineSums& column, double x, double y,
                           const Parameters& parameters, SurfacePatch& patch);
 

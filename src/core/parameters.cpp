@@ -102,8 +102,9 @@ Parameters resolve(const Parameters& parameters, int width) {
   const int w = std::max(width, 1);
   if (p.method == Method::kAdaptive) {
     setIfZero(p.scanlines.scanline_spacing, std::max(4, fromWidth(8, 12, 1.0, w)));
+    setIfZero(p.scanlines.fine_spacing, std::max(2, p.scanlines.scanline_spacing / 2));
     setIfZero(p.lines.line_window, fromWidth(15, 21, 1.0, w) | 1);
-    setIfZero(p.extraction.min_plane_inliers, fromWidth(550, 2200, 2.0, w));
+    setIfZero(p.extraction.min_plane_inliers, fromWidth(575, 2300, 2.0, w));
   }
   setIfZero(p.cleanup.min_region_pixels, fromWidth(100, 400, 2.0, w));
   setIfZero(p.scanlines.scanline_spacing, fromWidth(20, 30, 1.0, w));
@@ -127,17 +128,19 @@ bool loadPreset(const std::string& name, Parameters& parameters) {
     parameters.noise = {0.0007, 0.0, 0.0};  // steps of 1.3 mm, near and far
     parameters.scanlines.min_range = 0.1;
     parameters.scanlines.scanline_spacing = 5;
+    parameters.scanlines.fine_spacing = 3;
     parameters.lines.line_window = 5;
     parameters.patches.patch_noise_factor = 1.5;
     parameters.patches.patch_distance = 1e-5;
     parameters.patches.patch_flatness = 3.0;
-    parameters.clusters.merge_cost = 4.0;
+    parameters.clusters.merge_cost = 5.0;
     parameters.clusters.coplanar_cost = 0.0;  // every face for itself
     parameters.clusters.max_curvedness = 1000.0;
+    parameters.clusters.max_bend = 1000.0;
     parameters.clusters.min_patches = 3;
     parameters.extraction.plane_distance = 1e-4;
     parameters.extraction.neighbor_distance = 0.005;
-    parameters.extraction.distance_noise_factor = 3.0;
+    parameters.extraction.distance_noise_factor = 4.0;
     parameters.extraction.min_plane_inliers = 80;
     parameters.cleanup.min_region_pixels = 30;
   } else {

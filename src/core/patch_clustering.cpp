@@ -3,16 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
-#include <limits>
-#include <tuple>
 
 namespace line_plane_segmentation {
 namespace {
 
 constexpr std::size_t kMaxClusters = 65534;  // labels are 16 bit, and 65535 is kept free: "do not judge"
-constexpr std::size_t kMaxCoplanarClusters =
-    100;  // every pair of these is tried, so that the time stays bounded
 
 // The sensor's own distortion bends a plane the more of the picture it fills: over so much of the grid, as
 // much as max_curvedness allows a small one.
@@ -20,217 +15,163 @@ constexpr double kDistortedShare = 0.02;
 
 // A patch whose pixels deviate from its cluster's plane by so many times what is usual there belongs to
 // something else that runs into the plane; not so if that is within the tolerance anyway.
-constexpr double kOutlierFactor = 4.0;
+constexpr double kOutlierFactor = 2.7;
 constexpr double kNeverOutlier = 0.5;  // in tolerances squared
+
+// Fine patches join the planes that are there at less cost than they join each other, so that what runs along
+// the rim of a plane becomes neither part of it nor a plane of its own.
+constexpr double kJoinCost = 0.5;  // of merge_cost
+
+// So many times as many fine patches as coarse ones are found on narrow surfaces only.
+constexpr double kNarrowFine = 1.5;
+
+// A cluster is curved if a quadratic surface leaves less than so much of its deviations from the plane.
+constexpr double kBentRest = 0.3;
+constexpr int kMinBendPoints = 8;
+constexpr double kBendUnit = 0.01;  // [1/px] keeps fourth powers near 1
+
+// Whether a cluster is large and flat enough.
+bool isPlane(const PatchCluster& cluster, const ClusterParameters& parameters) {
+  const double max_error = parameters.max_curvedness * (1.0 + cluster.share / kDistortedShare);
+  return cluster.patches >= parameters.min_patches &&
+         cluster.squared_error <= max_error * cluster.moments.pixels;
+}
+
+// The mean deviation of a patch from a plane, in tolerances.
+double deviationOf(const RegressionMoments& patch, const InverseDepthPlane& plane) {
+  return (patch.w - plane.a * patch.x - plane.b * patch.y - plane.c * patch.one) /
+         std::sqrt(patch.one * patch.pixels);
+}
 
 }  // namespace
 
-int PatchClusterer::find(int patch) {
-  while (parent_[static_cast<std::size_t>(patch)] != patch) {
-    int& parent = parent_[static_cast<std::size_t>(patch)];
-    parent = parent_[static_cast<std::size_t>(parent)];
-    patch = parent;
-  }
-  return patch;
-}
-
-double PatchClusterer::costOf(int a, int b, PatchCluster& merged) const {
-  const PatchCluster& first = nodes_[static_cast<std::size_t>(a)];
-  const PatchCluster& second = nodes_[static_cast<std::size_t>(b)];
-  merged.moments = first.moments;
-  merged.moments += second.moments;
-  merged.squared_error = merged.moments.fit(merged.plane);
-  if (merged.squared_error < 0.0) return std::numeric_limits<double>::max();
-  merged.patches = first.patches + second.patches;
-  return (merged.squared_error - first.squared_error - second.squared_error) /
-         std::min(first.moments.pixels, second.moments.pixels);
-}
-
-// Merges the clusters of a pair if that costs less than the limit.
-// @return whether the pair is done with, its patches being in one cluster
-bool PatchClusterer::mergeIfCheaper(Pair& pair, double limit) {
-  const int a = find(pair.a), b = find(pair.b);
-  if (a == b) return true;
-  const int patches =
-      nodes_[static_cast<std::size_t>(a)].patches + nodes_[static_cast<std::size_t>(b)].patches;
-  if (patches == pair.patches && !(pair.cost < limit)) return false;
-  PatchCluster merged;
-  pair.cost = costOf(a, b, merged);
-  pair.patches = patches;
-  if (!(pair.cost < limit)) return false;
-  nodes_[static_cast<std::size_t>(a)] = merged;
-  parent_[static_cast<std::size_t>(b)] = a;
-  return true;
-}
-
-void PatchClusterer::addNeighbor(int a, int b, const PatchGrid& grid, double limit) {
-  if (!grid.patches[static_cast<std::size_t>(a)].is_planar ||
-      !grid.patches[static_cast<std::size_t>(b)].is_planar) {
-    return;
-  }
-  PatchCluster merged;
-  const double cost = costOf(a, b, merged);
-  // A pair of single patches may cost more than the clusters that they come to belong to, whose planes are
-  // surer.
-  if (cost < 4.0 * limit) pairs_.push_back({cost, a, b, merged.patches});
-}
-
-void PatchClusterer::sortPairs() {
-  std::sort(pairs_.begin(), pairs_.end(), [](const Pair& p, const Pair& q) {
-    return std::tie(p.cost, p.a, p.b) < std::tie(q.cost, q.a, q.b);
-  });
-}
-
-void PatchClusterer::mergeNeighbors(const PatchGrid& grid, double limit) {
-  pairs_.clear();
-  for (int r = 0; r < grid.rows; ++r) {
-    for (int c = 0; c < grid.columns; ++c) {
-      const int i = grid.indexOf(c, r);
-      if (c + 1 < grid.columns) addNeighbor(i, i + 1, grid, limit);
-      if (r + 1 < grid.rows) addNeighbor(i, i + grid.columns, grid, limit);
+void PatchClusterer::clusterCoarse(const PatchGrid& coarse, const Parameters& parameters,
+                                   std::vector<std::uint8_t>& explained) {
+  const double limit = parameters.clusters.merge_cost;
+  const double share = 1.0 / static_cast<double>(coarse.patches.size());
+  forest_.clear();
+  for (const SurfacePatch& patch : coarse.patches) forest_.add(patch, share);
+  for (int r = 0; r < coarse.rows; ++r) {
+    for (int c = 0; c < coarse.columns; ++c) {
+      const int i = coarse.indexOf(c, r);
+      if (c + 1 < coarse.columns) forest_.addPair(i, i + 1, limit);
+      if (r + 1 < coarse.rows) forest_.addPair(i, i + coarse.columns, limit);
     }
   }
-  // The limit rises in steps, so that what is most alike has grown together before anything doubtful is
-  // asked.
-  for (const double share : {1.0 / 64, 1.0 / 16, 1.0 / 8, 1.0 / 4, 1.0 / 2, 1.0, 1.0}) {
-    std::size_t kept = 0;
-    for (Pair& pair : pairs_) {
-      if (!mergeIfCheaper(pair, share * limit)) pairs_[kept++] = pair;
-    }
-    pairs_.resize(kept);
+  forest_.mergePairs(limit);
+  explained.resize(coarse.patches.size());
+  for (std::size_t i = 0; i < explained.size(); ++i) {
+    const int root = forest_.find(static_cast<int>(i));
+    explained[i] = isPlane(forest_.cluster(root), parameters.clusters) ? 1 : 0;
   }
 }
 
-// The patch of a cluster that is nearest in the grid to another patch.
-int PatchClusterer::nearestPatch(const PatchGrid& grid, int root, int to) {
-  int nearest = root, nearest_distance = std::numeric_limits<int>::max();
-  for (int i = 0; i < static_cast<int>(parent_.size()); ++i) {
-    if (find(i) != root) continue;
-    const int dx = i % grid.columns - to % grid.columns, dy = i / grid.columns - to / grid.columns;
-    if (dx * dx + dy * dy < nearest_distance) {
-      nearest = i;
-      nearest_distance = dx * dx + dy * dy;
-    }
+// First the fine patches join what is there, then each other.
+void PatchClusterer::addFine(const PatchLevels& levels, double limit) {
+  const PatchGrid& coarse = levels.coarse;
+  const FinePatches& fine = levels.fine;
+  for (const SurfacePatch& patch : fine.patches) forest_.add(patch, fine.shareOfPicture());
+  const int first = levels.firstFine(), step = fine.spacing;
+  const double join_limit = kJoinCost * limit;
+  for (int i = first; i < levels.count(); ++i) {
+    const int u = levels.u(i), v = levels.v(i);
+    forest_.addPair(i, coarse.indexAt(u, v), join_limit);
+    forest_.addPair(i, coarse.indexAt(u - step, v), join_limit);
+    forest_.addPair(i, coarse.indexAt(u + step, v), join_limit);
+    forest_.addPair(i, coarse.indexAt(u, v - step), join_limit);
+    forest_.addPair(i, coarse.indexAt(u, v + step), join_limit);
   }
-  return nearest;
+  forest_.mergePairs(join_limit);
+  for (int i = first; i < levels.count(); ++i) {
+    const int cell = fine.cells[static_cast<std::size_t>(i - first)];
+    const int left = cell % fine.columns == 0 ? -1 : fine.patchAt(cell - 1);
+    const int above = fine.patchAt(cell - fine.columns);
+    if (left >= 0) forest_.addPair(first + left, i, limit);
+    if (above >= 0) forest_.addPair(first + above, i, limit);
+  }
+  forest_.mergePairs(limit);
 }
 
-// Whether one looks at nothing behind the common plane on the straight way from one cluster to the other.
-bool PatchClusterer::isOccludedBetween(int a, int b, const DepthImage& depth, const ViewRays& rays,
-                                       const PatchGrid& grid, const Parameters& parameters) {
-  PatchCluster merged;
-  costOf(a, b, merged);
-  const double inverse_distance = merged.plane.inverseDistance();
-  const DepthTolerance tolerance{parameters.noise, 2.0 * parameters.extraction.distance_noise_factor,
-                                 2.0 * parameters.extraction.plane_distance};
-  const int from = nearestPatch(grid, a, b);
-  const int to = nearestPatch(grid, b, from);
-  const int u0 = grid.pixelOf(from % grid.columns), v0 = grid.pixelOf(from / grid.columns);
-  const int du = grid.pixelOf(to % grid.columns) - u0, dv = grid.pixelOf(to / grid.columns) - v0;
-  const int steps = std::max(std::abs(du), std::abs(dv));
-  int behind = 0;
-  for (int k = 0; k < steps; ++k) {
-    const int u = u0 + du * k / steps, v = v0 + dv * k / steps;
-    const float z = depth.at(u, v);
-    if (!(z > 0.0F)) continue;
-    const double w = 1.0 / static_cast<double>(z);
-    const double expected =
-        merged.plane.at(rays.x[static_cast<std::size_t>(u)], rays.y[static_cast<std::size_t>(v)]);
-    if (expected - w > tolerance.at(w, inverse_distance)) ++behind;
-  }
-  return 4 * behind < steps;
-}
-
-void PatchClusterer::mergeCoplanar(const DepthImage& depth, const ViewRays& rays, const PatchGrid& grid,
-                                   const Parameters& parameters) {
-  const double limit = parameters.clusters.coplanar_cost;
-  if (!(limit > 0.0)) return;
-  roots_.clear();
-  for (int i = 0; i < static_cast<int>(nodes_.size()); ++i) {
-    if (find(i) == i && nodes_[static_cast<std::size_t>(i)].patches >= parameters.clusters.min_patches) {
-      roots_.push_back(i);
-    }
-  }
-  if (roots_.size() > kMaxCoplanarClusters) {
-    std::nth_element(roots_.begin(), roots_.begin() + kMaxCoplanarClusters, roots_.end(),
-                     [this](int a, int b) {
-                       const int pa = nodes_[static_cast<std::size_t>(a)].patches,
-                                 pb = nodes_[static_cast<std::size_t>(b)].patches;
-                       return pa != pb ? pa > pb : a < b;
-                     });
-    roots_.resize(kMaxCoplanarClusters);
-    std::sort(roots_.begin(), roots_.end());
-  }
-  pairs_.clear();
-  PatchCluster merged;
-  for (std::size_t i = 0; i < roots_.size(); ++i) {
-    for (std::size_t j = i + 1; j < roots_.size(); ++j) {
-      const double cost = costOf(roots_[i], roots_[j], merged);
-      if (cost < limit) pairs_.push_back({cost, roots_[i], roots_[j], merged.patches});
-    }
-  }
-  sortPairs();
-  for (Pair& pair : pairs_) {
-    const int a = find(pair.a), b = find(pair.b);
-    if (a == b || !(costOf(a, b, merged) < limit)) continue;
-    if (isOccludedBetween(a, b, depth, rays, grid, parameters)) mergeIfCheaper(pair, limit);
-  }
-}
-
-// Takes outliers out of the clusters, whose planes they would bend.
-void PatchClusterer::trim(const PatchGrid& grid, std::vector<PatchCluster>& clusters,
+// Takes outliers out of the clusters, whose planes they would bend. Where there are enough coarse patches,
+// with their longer windows, they alone make the plane; on narrow surfaces these look beyond the borders.
+void PatchClusterer::trim(const PatchLevels& levels, int min_patches, std::vector<PatchCluster>& clusters,
                           std::vector<int>& cluster_of) {
-  nodes_.assign(clusters.size(), PatchCluster{});
-  for (std::size_t i = 0; i < cluster_of.size(); ++i) {
-    if (cluster_of[i] < 0) continue;
-    const std::size_t k = static_cast<std::size_t>(cluster_of[i]);
-    const RegressionMoments& patch = grid.patches[i].moments;
+  coarse_sums_.assign(clusters.size(), PatchCluster{});
+  fine_sums_.assign(clusters.size(), PatchCluster{});
+  for (int i = 0; i < levels.count(); ++i) {
+    int& cluster = cluster_of[static_cast<std::size_t>(i)];
+    if (cluster < 0) continue;
+    const std::size_t k = static_cast<std::size_t>(cluster);
+    const RegressionMoments& patch = levels.patch(i).moments;
     const double usual = clusters[k].squared_error / clusters[k].moments.pixels;
     if (patch.squaredErrorTo(clusters[k].plane) >
         std::max(kOutlierFactor * usual, kNeverOutlier) * patch.pixels) {
-      cluster_of[i] = -1;
+      cluster = -1;
     } else {
-      nodes_[k].moments += patch;
-      ++nodes_[k].patches;
+      PatchCluster& sums = i < levels.firstFine() ? coarse_sums_[k] : fine_sums_[k];
+      sums.moments += patch;
+      ++sums.patches;
     }
   }
   for (std::size_t k = 0; k < clusters.size(); ++k) {
-    PatchCluster& trimmed = nodes_[k];
+    PatchCluster &trimmed = coarse_sums_[k], &fine = fine_sums_[k];
+    trimmed.share = clusters[k].share;
+    trimmed.is_narrow = trimmed.patches < min_patches || fine.patches > kNarrowFine * trimmed.patches;
+    if (trimmed.is_narrow) {
+      trimmed.moments += fine.moments;
+      trimmed.patches += fine.patches;
+    }
     trimmed.squared_error = trimmed.moments.fit(trimmed.plane);
     if (trimmed.squared_error >= 0.0) clusters[k] = trimmed;
   }
 }
 
-void PatchClusterer::cluster(const DepthImage& depth, const ViewRays& rays, const PatchGrid& grid,
+// Takes away the clusters that are curved, as people and cushions are. One that fills more of the picture may
+// be bent by the sensor.
+void PatchClusterer::dropBent(const PatchLevels& levels, double max_bend, std::vector<PatchCluster>& clusters,
+                              std::vector<int>& cluster_of) {
+  bends_.assign(clusters.size(), SurfaceBend{});
+  for (int i = 0; i < levels.count(); ++i) {
+    const int cluster = cluster_of[static_cast<std::size_t>(i)];
+    if (cluster < 0) continue;
+    const std::size_t k = static_cast<std::size_t>(cluster);
+    if (clusters[k].share > kDistortedShare) continue;
+    bends_[k].add(kBendUnit * levels.u(i), kBendUnit * levels.v(i),
+                  deviationOf(levels.patch(i).moments, clusters[k].plane));
+  }
+  new_index_.assign(clusters.size(), -1);
+  int kept = 0;
+  for (std::size_t k = 0; k < clusters.size(); ++k) {
+    if (bends_[k].points() >= kMinBendPoints) {
+      const SurfaceBend::Residuals rest = bends_[k].fit();
+      if (rest.plane - rest.quadric > max_bend && rest.quadric < kBentRest * rest.plane) continue;
+    }
+    new_index_[k] = kept;
+    clusters[static_cast<std::size_t>(kept++)] = clusters[k];
+  }
+  if (static_cast<std::size_t>(kept) == clusters.size()) return;
+  clusters.resize(static_cast<std::size_t>(kept));
+  for (int& k : cluster_of) k = k < 0 ? -1 : new_index_[static_cast<std::size_t>(k)];
+}
+
+void PatchClusterer::cluster(const DepthImage& depth, const ViewRays& rays, const PatchLevels& levels,
                              const Parameters& parameters, std::vector<PatchCluster>& clusters,
                              std::vector<int>& cluster_of) {
-  const std::size_t count = grid.patches.size();
-  nodes_.resize(count);
-  parent_.resize(count);
-  for (std::size_t i = 0; i < count; ++i) {
-    const SurfacePatch& patch = grid.patches[i];
-    nodes_[i] = {patch.moments, patch.plane, patch.squared_error, patch.is_planar ? 1 : 0};
-    parent_[i] = static_cast<int>(i);
-  }
-  mergeNeighbors(grid, parameters.clusters.merge_cost);
-  mergeCoplanar(depth, rays, grid, parameters);
+  addFine(levels, parameters.clusters.merge_cost);
+  coplanar_merger_.merge(depth, rays, levels, parameters, forest_);
 
   clusters.clear();
-  cluster_of.assign(count, -1);
-  for (std::size_t i = 0; i < count && clusters.size() < kMaxClusters; ++i) {
-    const PatchCluster& node = nodes_[i];
-    if (find(static_cast<int>(i)) != static_cast<int>(i) || node.patches < parameters.clusters.min_patches)
-      continue;
-    const double share = node.patches / static_cast<double>(count);
-    const double max_error = parameters.clusters.max_curvedness * (1.0 + share / kDistortedShare);
-    if (node.squared_error > max_error * node.moments.pixels) continue;
-    cluster_of[i] = static_cast<int>(clusters.size());
-    clusters.push_back(nodes_[i]);
+  cluster_of.assign(static_cast<std::size_t>(forest_.size()), -1);
+  for (int i = 0; i < forest_.size() && clusters.size() < kMaxClusters; ++i) {
+    if (forest_.find(i) != i || !isPlane(forest_.cluster(i), parameters.clusters)) continue;
+    cluster_of[static_cast<std::size_t>(i)] = static_cast<int>(clusters.size());
+    clusters.push_back(forest_.cluster(i));
   }
-  for (std::size_t i = 0; i < count; ++i) {
-    cluster_of[i] = cluster_of[static_cast<std::size_t>(find(static_cast<int>(i)))];
+  for (int i = 0; i < forest_.size(); ++i) {
+    cluster_of[static_cast<std::size_t>(i)] = cluster_of[static_cast<std::size_t>(forest_.find(i))];
   }
-  trim(grid, clusters, cluster_of);
+  trim(levels, parameters.clusters.min_patches, clusters, cluster_of);
+  dropBent(levels, parameters.clusters.max_bend, clusters, cluster_of);
 }
 
 }  // namespace line_plane_segmentation

@@ -15,25 +15,38 @@ constexpr float kMaxSpeckleError = 2.0F;  // [-] in tolerances
 }  // namespace
 
 // A patch speaks for its own tile of the grid and for the eight around it.
-void PixelAssigner::findSpans(const PatchGrid& grid, int row, int width, const std::vector<int>& cluster_of) {
-  spans_.clear();
-  const int first_row = std::max(0, row - 1), last_row = std::min(grid.rows - 1, row + 1);
-  for (int c = 0; c < grid.columns; ++c) {
-    const int first = std::max(0, c - 1) * grid.spacing;
-    const int last = c + 2 >= grid.columns ? width : (c + 2) * grid.spacing;
+void PixelAssigner::findSpans(const Tiles& tiles, int row, int width, std::vector<Span>& spans) {
+  spans.clear();
+  const int first_row = std::max(0, row - 1), last_row = std::min(tiles.rows - 1, row + 1);
+  for (int c = 0; c < tiles.columns; ++c) {
+    const int first = std::max(0, c - 1) * tiles.spacing;
+    const int last = c + 2 >= tiles.columns ? width : (c + 2) * tiles.spacing;
     for (int r = first_row; r <= last_row; ++r) {
-      const int cluster = cluster_of[static_cast<std::size_t>(grid.indexOf(c, r))];
+      const int cluster = tiles.cluster_of[r * tiles.columns + c];
       if (cluster < 0) continue;
       int& open = open_span_[static_cast<std::size_t>(cluster)];
-      if (open >= 0 && spans_[static_cast<std::size_t>(open)].last >= first) {
-        spans_[static_cast<std::size_t>(open)].last = last;
+      if (open >= 0 && spans[static_cast<std::size_t>(open)].last >= first) {
+        spans[static_cast<std::size_t>(open)].last = last;
       } else {
-        open = static_cast<int>(spans_.size());
-        spans_.push_back({cluster, first, last});
+        open = static_cast<int>(spans.size());
+        spans.push_back({cluster, first, last});
       }
     }
   }
-  for (const Span& span : spans_) open_span_[static_cast<std::size_t>(span.cluster)] = -1;
+  for (const Span& span : spans) open_span_[static_cast<std::size_t>(span.cluster)] = -1;
+}
+
+void PixelAssigner::assignSpans(const std::vector<Span>& spans, const std::vector<PatchCluster>& clusters,
+                                const float* z, const ViewRays& rays, double y, double plane_distance) {
+  for (const Span& span : spans) {
+    const InverseDepthPlane& plane = clusters[static_cast<std::size_t>(span.cluster)].plane;
+    const RowOfPlane row{static_cast<float>(plane.a), static_cast<float>(plane.b * y + plane.c),
+                         static_cast<float>(1.0 / (plane_distance * plane.inverseDistance())),
+                         static_cast<std::uint16_t>(span.cluster + 1)};
+    assignIfBetter(z + span.first, inverse_depth_.data() + span.first, inverse_tolerance_.data() + span.first,
+                   rays.x.data() + span.first, span.last - span.first, row, best_.data() + span.first,
+                   label_.data() + span.first);
+  }
 }
 
 // Whether a few pixels lie at the depth of those to their left and right.
@@ -48,7 +61,7 @@ bool PixelAssigner::isLikeNeighbors(const LabelRun& before, const LabelRun& spec
   return true;
 }
 
-void PixelAssigner::assign(const DepthImage& depth, const ViewRays& rays, const PatchGrid& grid,
+void PixelAssigner::assign(const DepthImage& depth, const ViewRays& rays, const PatchLevels& levels,
                            const std::vector<PatchCluster>& clusters, const std::vector<int>& cluster_of,
                            const Parameters& parameters, LabelRuns& image) {
   const std::size_t width = static_cast<std::size_t>(depth.width);
@@ -60,28 +73,32 @@ void PixelAssigner::assign(const DepthImage& depth, const ViewRays& rays, const 
                        static_cast<float>(parameters.noise.growth) * factor,
                        static_cast<float>(parameters.noise.nearest)};
 
+  fine_cluster_.assign(levels.fine.patch_at.size(), -1);
+  for (int i = levels.firstFine(); i < levels.count(); ++i) {
+    const int cell = levels.fine.cells[static_cast<std::size_t>(i - levels.firstFine())];
+    fine_cluster_[static_cast<std::size_t>(cell)] = cluster_of[static_cast<std::size_t>(i)];
+  }
+  const Tiles coarse{levels.coarse.spacing, levels.coarse.columns, levels.coarse.rows, cluster_of.data()};
+  const Tiles fine{levels.fine.spacing, levels.fine.columns, levels.fine.rows, fine_cluster_.data()};
+  const double plane_distance = parameters.extraction.plane_distance;
+
   image.clear();
   spans_.clear();
-  for (int v = 0, spans_of = -1; v < depth.height; ++v) {
-    const int grid_row = std::min(v / grid.spacing, grid.rows - 1);
-    if (grid_row != spans_of) {
-      findSpans(grid, grid_row, depth.width, cluster_of);
-      spans_of = grid_row;
-    }
+  fine_spans_.clear();
+  for (int v = 0, row = -1, fine_row = -1; v < depth.height; ++v) {
+    const auto enter = [&](const Tiles& tiles, int& entered, std::vector<Span>& spans) {
+      const int tile_row = std::min(v / tiles.spacing, tiles.rows - 1);
+      if (tile_row != entered) findSpans(tiles, tile_row, depth.width, spans);
+      entered = tile_row;
+    };
+    enter(coarse, row, spans_);
+    if (!levels.fine.patches.empty()) enter(fine, fine_row, fine_spans_);
     const float* z = depth.row(v);
     const double y = rays.y[static_cast<std::size_t>(v)];
     prepareRow(z, depth.width, noise, inverse_depth_.data(), inverse_tolerance_.data(), best_.data(),
                label_.data());
-    for (const Span& span : spans_) {
-      const InverseDepthPlane& plane = clusters[static_cast<std::size_t>(span.cluster)].plane;
-      const RowOfPlane row{
-          static_cast<float>(plane.a), static_cast<float>(plane.b * y + plane.c),
-          static_cast<float>(1.0 / (parameters.extraction.plane_distance * plane.inverseDistance())),
-          static_cast<std::uint16_t>(span.cluster + 1)};
-      assignIfBetter(z + span.first, inverse_depth_.data() + span.first,
-                     inverse_tolerance_.data() + span.first, rays.x.data() + span.first,
-                     span.last - span.first, row, best_.data() + span.first, label_.data() + span.first);
-    }
+    assignSpans(spans_, clusters, z, rays, y, plane_distance);
+    assignSpans(fine_spans_, clusters, z, rays, y, plane_distance);
     image.addRow(label_.data(), depth.width);
     image.joinOverSpeckles(kMaxSpeckle,
                            [this](const LabelRun& before, const LabelRun& speckle, const LabelRun& after) {

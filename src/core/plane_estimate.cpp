@@ -3,12 +3,15 @@
 
 #include <Eigen/LU>
 #include <algorithm>
+#include <cmath>
 
 namespace line_plane_segmentation {
 namespace {
 
 // Pixels that share their errors, so that so many count as one.
 constexpr double kSharedErrors = 12.0;
+
+constexpr double kIndependentPixels = 8.0;
 
 }  // namespace
 
@@ -31,6 +34,11 @@ PlaneEstimate estimatePlane(const PatchCluster& cluster) {
   jacobian.row(3) = estimate.d * estimate.d * estimate.normal.transpose();
   estimate.covariance = jacobian * covariance * jacobian.transpose();
   return estimate;
+}
+
+PlaneEstimate estimateFromPixels(const PlaneFit& fit, const PointMoments& moments) {
+  const double shared = std::max(1.0, moments.count / kIndependentPixels);
+  return {fit.normal, fit.d, fit.covariance(moments, std::sqrt(shared * fit.mean_square))};
 }
 
 }  // namespace line_plane_segmentation

@@ -13,6 +13,13 @@ namespace {
 // plane through the camera, whose distance is nothing but rounding; nobody sees such a plane.
 constexpr double kEdgeOn = 1e-6;
 
+// The fit as it is, each pixel's error being its own.
+PlaneEstimate fittedPlane(const PlaneFit& fit, const PointMoments& moments) {
+  // Three of the degrees of freedom went into the plane.
+  const double sigma = std::sqrt(fit.mean_square * moments.count / std::max(1.0, moments.count - 3.0));
+  return {fit.normal, fit.d, fit.covariance(moments, sigma)};
+}
+
 }  // namespace
 
 void PlaneMeasurement::sumLabels(const DepthImage& depth, const ViewRays& rays, int label_count,
@@ -37,7 +44,7 @@ void PlaneMeasurement::sumLabels(const DepthImage& depth, const ViewRays& rays, 
 
 void PlaneMeasurement::measure(const DepthImage& depth, const ViewRays& rays, const CameraIntrinsics& camera,
                                int label_count, double min_area, LabelRuns& image, Segmentation& segmentation,
-                               const std::vector<PlaneEstimate>& estimates) {
+                               const std::vector<std::optional<PlaneEstimate>>& estimates) {
   sumLabels(depth, rays, label_count, image);
   segmentation.planes.clear();
   segmentation.assigned_pixels = 0;
@@ -46,11 +53,9 @@ void PlaneMeasurement::measure(const DepthImage& depth, const ViewRays& rays, co
     const PointMoments& moments = sums_[label].moments;
     PlaneFit fit;
     if (!fitPlane(moments, fit)) continue;
-    // Three of the degrees of freedom went into the plane.
-    const double sigma = std::sqrt(fit.mean_square * moments.count / std::max(1.0, moments.count - 3.0));
     const PlaneEstimate estimate = estimates.empty()
-                                       ? PlaneEstimate{fit.normal, fit.d, fit.covariance(moments, sigma)}
-                                       : estimates[label - 1];
+                                       ? fittedPlane(fit, moments)
+                                       : estimates[label - 1].value_or(estimateFromPixels(fit, moments));
     if (!(estimate.d > kEdgeOn * fit.centroid.norm())) continue;
     // A pixel of depth z covers z² / (fx fy) facing the camera, and on the plane, seen under the angle whose
     // cosine is d / (z |ray|) there, z³ / (d fx fy).

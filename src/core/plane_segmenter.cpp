@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 
 #include "line_plane_segmentation/candidate_detection.h"
 #include "line_plane_segmentation/depth_image.h"
@@ -67,13 +68,14 @@ struct PlaneSegmenter::Stages {
 
   // Method adaptive.
   PatchDetector patch_detector;
-  PatchGrid patch_grid;
+  PatchLevels patches;
+  std::vector<std::uint8_t> explained;
   PatchClusterer clusterer;
   std::vector<PatchCluster> clusters;
   std::vector<int> cluster_of;
   PixelAssigner assigner;
   RegionCleaner cleaner;
-  std::vector<PlaneEstimate> estimates;  // of each label
+  std::vector<std::optional<PlaneEstimate>> estimates;  // of each label
 
   // Each fills `runs` with the labels that it found, and returns how many there are.
   int runPaper(const CameraIntrinsics& camera, StageObserver& observer);
@@ -94,22 +96,25 @@ int PlaneSegmenter::Stages::runPaper(const CameraIntrinsics& camera, StageObserv
 }
 
 int PlaneSegmenter::Stages::runAdaptive(StageObserver& observer) {
-  patch_detector.detect(depth, rays, resolved, patch_grid);
+  patch_detector.detect(depth, rays, resolved, patches.coarse);
   is_described = false;
   observer.stageFinished(Stage::kLines);
-  clusterer.cluster(depth, rays, patch_grid, resolved, clusters, cluster_of);
+  clusterer.clusterCoarse(patches.coarse, resolved, explained);
+  patch_detector.refine(depth, rays, resolved, explained, patches);
+  clusterer.cluster(depth, rays, patches, resolved, clusters, cluster_of);
   observer.stageFinished(Stage::kCandidates);
-  assigner.assign(depth, rays, patch_grid, clusters, cluster_of, resolved, runs);
+  assigner.assign(depth, rays, patches, clusters, cluster_of, resolved, runs);
   observer.stageFinished(Stage::kExtraction);
   const int label_count = cleaner.clean(depth, rays, clusters, resolved, runs);
   for (int label = 1; label <= label_count; ++label) {
-    estimates.push_back(estimatePlane(clusters[static_cast<std::size_t>(cleaner.clusterOf(label))]));
+    const PatchCluster& cluster = clusters[static_cast<std::size_t>(cleaner.clusterOf(label))];
+    estimates.push_back(cluster.is_narrow ? std::nullopt : std::make_optional(estimatePlane(cluster)));
   }
   return label_count;
 }
 
 void PlaneSegmenter::Stages::describe() {
-  if (!is_described) describePatches(patch_grid, rays, resolved, segments, candidates);
+  if (!is_described) describePatches(patches.coarse, rays, resolved, segments, candidates);
   is_described = true;
 }
 

@@ -8,6 +8,8 @@ namespace line_plane_segmentation {
 namespace {
 
 constexpr double kMinFilled = 0.7;  // share of a window's pixels that must have a depth
+constexpr int kMinHalfWindow =
+    2;  // [px] of a fine window: five points make a line and show whether it is one
 
 int countAlong(int pixels, int spacing) {
   return pixels > spacing / 2 ? (pixels - 1 - spacing / 2) / spacing + 1 : 0;
@@ -76,6 +78,23 @@ void PatchDetector::sumColumns(const DepthImage& depth, const ViewRays& rays, in
   }
 }
 
+PatchDetector::LineSums PatchDetector::sumRow(const DepthImage& depth, const ViewRays& rays, int u, int v,
+                                              int half_window) {
+  LineSums sums;
+  const float* z = depth.row(v);
+  for (int i = std::max(0, u - half_window); i < std::min(depth.width, u + half_window + 1); ++i)
+    addPixel(z[i], rays.x[static_cast<std::size_t>(i)], sums);
+  return sums;
+}
+
+PatchDetector::LineSums PatchDetector::sumColumn(const DepthImage& depth, const ViewRays& rays, int u, int v,
+                                                 int half_window) {
+  LineSums sums;
+  for (int i = std::max(0, v - half_window); i < std::min(depth.height, v + half_window + 1); ++i)
+    addPixel(depth.at(u, i), rays.y[static_cast<std::size_t>(i)], sums);
+  return sums;
+}
+
 void PatchDetector::fitCrossing(const LineSums& row, const LineSums& column, double x, double y,
                                 const Parameters& parameters, SurfacePatch& patch) {
   RegressionMoments& m = patch.moments;
@@ -96,8 +115,10 @@ void PatchDetector::fitCrossing(const LineSums& row, const LineSums& column, dou
                                  parameters.patches.patch_distance};
   const double bound = tolerance.at(m.w / m.one, patch.plane.inverseDistance());
   const double flat = parameters.patches.patch_flatness * bound * bound;
-  patch.is_planar = row.squaredErrorOfLine() < flat * row.n &&
-                    column.squaredErrorOfLine() < flat * column.n && squared_error < flat * m.pixels;
+  const bool row_is_straight = row.squaredErrorOfLine() < flat * row.n;
+  const bool column_is_straight = column.squaredErrorOfLine() < flat * column.n;
+  patch.has_line = row_is_straight || column_is_straight;
+  patch.is_planar = row_is_straight && column_is_straight && squared_error < flat * m.pixels;
   if (!patch.is_planar) return;
   patch.moments.scale(1.0 / (bound * bound));
   patch.squared_error = squared_error / (bound * bound);
@@ -124,6 +145,42 @@ void PatchDetector::detect(const DepthImage& depth, const ViewRays& rays, const 
       if (row_windows_[i].n < min_points || column_windows_[i].n < min_points) continue;
       fitCrossing(row_windows_[i], column_windows_[i], rays.x[static_cast<std::size_t>(grid.pixelOf(c))], y,
                   parameters, grid.patches[i]);
+    }
+  }
+}
+
+void PatchDetector::refine(const DepthImage& depth, const ViewRays& rays, const Parameters& parameters,
+                           const std::vector<std::uint8_t>& explained, PatchLevels& levels) {
+  const PatchGrid& coarse = levels.coarse;
+  FinePatches& fine = levels.fine;
+  fine.spacing = parameters.scanlines.fine_spacing;
+  fine.columns = countAlong(depth.width, fine.spacing);
+  fine.rows = countAlong(depth.height, fine.spacing);
+  fine.patches.clear();
+  fine.cells.clear();
+  fine.patch_at.assign(static_cast<std::size_t>(fine.columns) * static_cast<std::size_t>(fine.rows), -1);
+  if (fine.spacing >= coarse.spacing) return;
+
+  const int half_window =
+      std::max(kMinHalfWindow, parameters.lines.line_window * fine.spacing / coarse.spacing / 2);
+  const double min_points = kMinFilled * (2 * half_window + 1);
+  for (int r = 0; r < fine.rows; ++r) {
+    const int v = fine.pixelOf(r);
+    for (int c = 0; c < fine.columns; ++c) {
+      const int u = fine.pixelOf(c);
+      const std::size_t tile = static_cast<std::size_t>(coarse.indexAt(u, v));
+      if (explained[tile] != 0 || !coarse.patches[tile].has_line) continue;
+      const LineSums row = sumRow(depth, rays, u, v, half_window);
+      const LineSums column = sumColumn(depth, rays, u, v, half_window);
+      if (row.n < min_points || column.n < min_points) continue;
+      SurfacePatch patch;
+      fitCrossing(row, column, rays.x[static_cast<std::size_t>(u)], rays.y[static_cast<std::size_t>(v)],
+                  parameters, patch);
+      if (!patch.is_planar) continue;
+      const int cell = r * fine.columns + c;
+      fine.patch_at[static_cast<std::size_t>(cell)] = static_cast<int>(fine.patches.size());
+      fine.cells.push_back(cell);
+      fine.patches.push_back(patch);
     }
   }
 }

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <vector>
 
 #include "support/random.h"
@@ -20,20 +21,22 @@ const ViewRays kRays = raysOf(kCamera, kWidth, kHeight);
 
 /// The clusters of an image.
 struct Clusters {
-  PatchGrid grid;
+  PatchLevels levels;
+  std::vector<std::uint8_t> explained;
   std::vector<PatchCluster> clusters;
   std::vector<int> cluster_of;
 
   explicit Clusters(const DepthImage& depth, const Parameters& parameters = adaptiveParameters(kWidth)) {
-    PatchDetector().detect(depth, kRays, parameters, grid);
-    PatchClusterer().cluster(depth, kRays, grid, parameters, clusters, cluster_of);
+    PatchDetector detector;
+    PatchClusterer clusterer;
+    detector.detect(depth, kRays, parameters, levels.coarse);
+    clusterer.clusterCoarse(levels.coarse, parameters, explained);
+    detector.refine(depth, kRays, parameters, explained, levels);
+    clusterer.cluster(depth, kRays, levels, parameters, clusters, cluster_of);
   }
 
-  /// The cluster of the patch nearest to a pixel, or -1.
-  int at(int u, int v) const {
-    const int c = std::min(u / grid.spacing, grid.columns - 1), r = std::min(v / grid.spacing, grid.rows - 1);
-    return cluster_of[static_cast<std::size_t>(grid.indexOf(c, r))];
-  }
+  /// The cluster of the coarse patch nearest to a pixel, or -1.
+  int at(int u, int v) const { return cluster_of[static_cast<std::size_t>(levels.coarse.indexAt(u, v))]; }
 
   /// Whether the cluster at a pixel is the surface.
   bool isAt(int u, int v, const Surface& surface) const {
@@ -65,7 +68,7 @@ TEST(PatchClusterer, MakesOneClusterOfOnePlane) {
   ASSERT_EQ(found.clusters.size(), 1U);
   EXPECT_TRUE(found.isAt(160, 120, surface));
   EXPECT_TRUE(found.isAt(40, 200, surface));
-  EXPECT_GT(found.clusters[0].patches, 0.85 * found.grid.columns * found.grid.rows);
+  EXPECT_GT(found.clusters[0].patches, 0.85 * found.levels.coarse.columns * found.levels.coarse.rows);
 }
 
 TEST(PatchClusterer, PartsPlanesAtACreaseAndAtAStep) {
@@ -91,7 +94,7 @@ TEST(PatchClusterer, JoinsWhatANearerThingCutsApart) {
   EXPECT_GE(found.at(40, 120), 0);
   EXPECT_EQ(found.at(40, 120), found.at(280, 120));
   EXPECT_TRUE(found.isAt(40, 120, table));
-  EXPECT_NE(found.at(160, 120), found.at(40, 120));
+  EXPECT_NE(found.at(160, 115), found.at(40, 120));
 }
 
 TEST(PatchClusterer, KeepsApartWhatOpenSpaceParts) {
@@ -112,48 +115,118 @@ TEST(PatchClusterer, JoinsNothingApartIfThatMayCostNothing) {
 TEST(PatchClusterer, DropsClustersOfTooFewPatches) {
   const DepthImage depth = noisy(halves(surfaceAt(1.4), surfaceAt(1.5)));
   Parameters parameters = adaptiveParameters(kWidth);
-  const int patches = Clusters(depth, parameters).clusters.at(0).patches;
-  parameters.clusters.min_patches = patches + 200;
+  ASSERT_FALSE(Clusters(depth, parameters).clusters.empty());
+  parameters.clusters.min_patches = 100000;  // more than there can be, fine ones included
   const Clusters found(depth, parameters);
   EXPECT_TRUE(found.clusters.empty());
   for (const int cluster : found.cluster_of) EXPECT_EQ(cluster, -1);
 }
 
-TEST(PatchClusterer, KnowsTheSumsOfItsPatches) {
-  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+TEST(PatchClusterer, FitsPlanesToCoarsePatchesUnlessTheyAreNarrow) {
+  int narrow = 0, wide = 0;
+  for (std::uint64_t seed = 1; seed <= 40; ++seed) {
     const Clusters found(randomScene(seed, kWidth, kHeight));
-    ASSERT_EQ(found.cluster_of.size(), found.grid.patches.size());
-    std::vector<PatchCluster> sums(found.clusters.size());
-    for (std::size_t i = 0; i < found.cluster_of.size(); ++i) {
-      const int k = found.cluster_of[i];
+    ASSERT_EQ(found.cluster_of.size(), static_cast<std::size_t>(found.levels.count()));
+    std::vector<PatchCluster> coarse(found.clusters.size()), all(found.clusters.size());
+    for (int i = 0; i < found.levels.count(); ++i) {
+      const int k = found.cluster_of[static_cast<std::size_t>(i)];
       ASSERT_LT(k, static_cast<int>(found.clusters.size()));
       if (k < 0) continue;
-      ASSERT_TRUE(found.grid.patches[i].is_planar);
-      sums[static_cast<std::size_t>(k)].moments += found.grid.patches[i].moments;
-      ++sums[static_cast<std::size_t>(k)].patches;
+      const SurfacePatch& patch = found.levels.patch(i);
+      ASSERT_TRUE(patch.is_planar);
+      for (std::vector<PatchCluster>* sums : {&coarse, &all}) {
+        if (sums == &coarse && i >= found.levels.firstFine()) continue;
+        (*sums)[static_cast<std::size_t>(k)].moments += patch.moments;
+        ++(*sums)[static_cast<std::size_t>(k)].patches;
+      }
     }
-    for (std::size_t k = 0; k < sums.size(); ++k) {
+    for (std::size_t k = 0; k < found.clusters.size(); ++k) {
       const PatchCluster& cluster = found.clusters[k];
+      (cluster.is_narrow ? narrow : wide) += 1;
+      const PatchCluster& expected = cluster.is_narrow ? all[k] : coarse[k];
       InverseDepthPlane plane;
-      const double squared_error = sums[k].moments.fit(plane);
-      EXPECT_EQ(cluster.patches, sums[k].patches);
-      EXPECT_EQ(cluster.moments.pixels, sums[k].moments.pixels);
+      const double squared_error = expected.moments.fit(plane);
+      EXPECT_EQ(cluster.patches, expected.patches);
+      EXPECT_EQ(cluster.moments.pixels, expected.moments.pixels);
       EXPECT_NEAR(cluster.squared_error, squared_error, 1e-6 * (1.0 + squared_error));
       EXPECT_NEAR(cluster.plane.a, plane.a, 1e-9);
       EXPECT_NEAR(cluster.plane.b, plane.b, 1e-9);
       EXPECT_NEAR(cluster.plane.c, plane.c, 1e-9);
     }
   }
+  EXPECT_GT(narrow, 10);
+  EXPECT_GT(wide, 10);
+}
+
+// A strip too narrow for two coarse windows side by side, before a wall.
+TEST(PatchClusterer, FindsANarrowPlaneByFinePatches) {
+  const Surface strip = surfaceAt(1.2, 0.1);
+  DepthImage depth = render(surfaceAt(2.0), kCamera, kWidth, kHeight);
+  paint(strip, kCamera, {150, 161, 0, kHeight}, depth);
+  depth = noisy(depth, 0.4);
+  Parameters parameters = adaptiveParameters(kWidth);
+  const Clusters found(depth, parameters);
+  int fine = 0;
+  for (int i = found.levels.firstFine(); i < found.levels.count(); ++i) {
+    const int k = found.cluster_of[static_cast<std::size_t>(i)];
+    if (k < 0 || found.levels.u(i) < 150 || found.levels.u(i) > 160) continue;
+    EXPECT_NEAR(1.0 / found.clusters[static_cast<std::size_t>(k)].plane.inverseDistance(), strip.d, 0.02);
+    ++fine;
+  }
+  EXPECT_GT(fine, 20);
+
+  parameters.scanlines.fine_spacing = parameters.scanlines.scanline_spacing;
+  EXPECT_EQ(Clusters(depth, parameters).clusters.size() + 1, found.clusters.size());
+}
+
+TEST(PatchClusterer, CallsExplainedWhatIsInAPlane) {
+  const Clusters found(noisy(halves(surfaceAt(1.4), surfaceAt(1.5))));
+  ASSERT_EQ(found.explained.size(), found.levels.coarse.patches.size());
+  EXPECT_NE(found.explained[static_cast<std::size_t>(found.levels.coarse.indexAt(60, 120))], 0);
+  EXPECT_EQ(found.explained[static_cast<std::size_t>(found.levels.coarse.indexAt(160, 120))], 0);
+}
+
+/// Part of a cylinder about the vertical, of radius 0.22 m, 1.6 m away, in the middle of the picture.
+DepthImage cylinder() {
+  DepthImage depth = blankDepth(kWidth, kHeight);
+  const double radius = 0.22, distance = 1.82;
+  for (int v = 90; v < 140; ++v) {
+    for (int u = 145; u < 175; ++u) {
+      const double x = kRays.x[static_cast<std::size_t>(u)];
+      const double p = distance / (1.0 + x * x), q = (distance * distance - radius * radius) / (1.0 + x * x);
+      depth.z[depth.index(u, v)] = static_cast<float>(p - std::sqrt(std::max(0.0, p * p - q)));
+    }
+  }
+  return noisy(depth, 0.3);
+}
+
+TEST(PatchClusterer, TakesNoCylinderForAPlane) {
+  Parameters parameters = adaptiveParameters(kWidth);
+  const DepthImage depth = cylinder();
+  const Clusters strict(depth, parameters);
+  EXPECT_EQ(strict.at(160, 115), -1);
+  parameters.clusters.max_bend = 1000.0;
+  EXPECT_GE(Clusters(depth, parameters).at(160, 115), 0) << "it is flat enough but for its bend";
+}
+
+TEST(PatchClusterer, TakesAFlatThingOfThatSizeForAPlane) {
+  DepthImage depth = blankDepth(kWidth, kHeight);
+  paint(surfaceAt(1.6, 0.3), kCamera, {145, 175, 90, 140}, depth);
+  EXPECT_GE(Clusters(noisy(depth, 0.3)).at(160, 115), 0);
 }
 
 TEST(PatchClusterer, OfNothingIsNothing) {
   const Clusters found(blankDepth(kWidth, kHeight));
   EXPECT_TRUE(found.clusters.empty());
-  EXPECT_EQ(found.cluster_of.size(), found.grid.patches.size());
+  EXPECT_EQ(found.cluster_of.size(), found.levels.coarse.patches.size());
   std::vector<PatchCluster> clusters(3);
   std::vector<int> cluster_of(3);
-  PatchClusterer().cluster(blankDepth(0, 0), ViewRays{}, PatchGrid{}, adaptiveParameters(kWidth), clusters,
-                           cluster_of);
+  std::vector<std::uint8_t> explained(3);
+  PatchClusterer clusterer;
+  clusterer.clusterCoarse(PatchGrid{}, adaptiveParameters(kWidth), explained);
+  clusterer.cluster(blankDepth(0, 0), ViewRays{}, PatchLevels{}, adaptiveParameters(kWidth), clusters,
+                    cluster_of);
+  EXPECT_TRUE(explained.empty());
   EXPECT_TRUE(clusters.empty());
   EXPECT_TRUE(cluster_of.empty());
 }

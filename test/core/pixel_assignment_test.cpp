@@ -23,7 +23,7 @@ struct Assignment {
   DepthImage depth;
   ViewRays rays;
   Parameters parameters;
-  PatchGrid grid;
+  PatchLevels levels;
   std::vector<PatchCluster> clusters;
   std::vector<int> cluster_of;
   std::vector<std::uint16_t> labels;  // kNoDepthLabel where there is no depth
@@ -32,14 +32,19 @@ struct Assignment {
       : depth(image),
         rays(raysOf(kinectCamera(image.width, image.height), image.width, image.height)),
         parameters(p) {
-    PatchDetector().detect(depth, rays, parameters, grid);
-    PatchClusterer().cluster(depth, rays, grid, parameters, clusters, cluster_of);
+    PatchDetector detector;
+    PatchClusterer clusterer;
+    std::vector<std::uint8_t> explained;
+    detector.detect(depth, rays, parameters, levels.coarse);
+    clusterer.clusterCoarse(levels.coarse, parameters, explained);
+    detector.refine(depth, rays, parameters, explained, levels);
+    clusterer.cluster(depth, rays, levels, parameters, clusters, cluster_of);
     assign(assigner);
   }
 
   void assign(PixelAssigner& assigner) {
     LabelRuns runs;
-    assigner.assign(depth, rays, grid, clusters, cluster_of, parameters, runs);
+    assigner.assign(depth, rays, levels, clusters, cluster_of, parameters, runs);
     labels.clear();
     for (const LabelRun& run : runs.runs) {
       EXPECT_EQ(depth.index(run.first, run.row), labels.size()) << "the runs cover the image";
@@ -59,15 +64,17 @@ struct Assignment {
     return std::abs(w - expected) / tolerance.at(w, plane.inverseDistance());
   }
 
-  /// Whether a patch of the cluster lies in the pixel's tile of the grid or in one of the eight around it.
+  /// Whether a patch of the cluster lies in the pixel's tile of its grid or in one of the eight around it.
   bool isAsked(std::size_t cluster, int u, int v) const {
-    const int column = std::min(u / grid.spacing, grid.columns - 1),
-              row = std::min(v / grid.spacing, grid.rows - 1);
-    for (int r = std::max(0, row - 1); r <= std::min(grid.rows - 1, row + 1); ++r) {
-      for (int c = std::max(0, column - 1); c <= std::min(grid.columns - 1, column + 1); ++c) {
-        if (cluster_of[static_cast<std::size_t>(grid.indexOf(c, r))] == static_cast<int>(cluster))
-          return true;
-      }
+    for (int i = 0; i < levels.count(); ++i) {
+      if (cluster_of[static_cast<std::size_t>(i)] != static_cast<int>(cluster)) continue;
+      const bool is_coarse = i < levels.firstFine();
+      const int spacing = is_coarse ? levels.coarse.spacing : levels.fine.spacing;
+      const int columns = is_coarse ? levels.coarse.columns : levels.fine.columns;
+      const int rows = is_coarse ? levels.coarse.rows : levels.fine.rows;
+      const int column = std::min(u / spacing, columns - 1), row = std::min(v / spacing, rows - 1);
+      if (std::abs(levels.u(i) / spacing - column) <= 1 && std::abs(levels.v(i) / spacing - row) <= 1)
+        return true;
     }
     return false;
   }

@@ -86,5 +86,27 @@ TEST(EstimatePlane, HasACovarianceThatIsSingularAlongTheNormalOnly) {
   EXPECT_GT(eigenvalues[1], 1e-6 * eigenvalues[3]);
 }
 
+// As if the errors of all pixels were those of eight.
+TEST(EstimateFromPixels, TakesPixelsForFewerThanTheyAre) {
+  Random random(4);
+  const Surface surface = surfaceAt(1.5, 0.4);
+  PointMoments moments;
+  for (int i = 0; i < 800; ++i) {
+    const double x = random.uniform(-0.2, 0.2), y = random.uniform(-0.01, 0.01);
+    const double z = surface.depthAlong(x, y) + 0.002 * random.gaussian();
+    const Eigen::Vector3d point(x * z, y * z, z);
+    moments.count += 1;
+    moments.sum += point;
+    moments.outer += point * point.transpose();
+  }
+  PlaneFit fit;
+  ASSERT_TRUE(fitPlane(moments, fit));
+  const PlaneEstimate estimate = estimateFromPixels(fit, moments);
+  EXPECT_EQ(estimate.normal, fit.normal);
+  EXPECT_EQ(estimate.d, fit.d);
+  const Eigen::Matrix4d independent = fit.covariance(moments, std::sqrt(fit.mean_square));
+  EXPECT_LT((estimate.covariance - 100.0 * independent).norm(), 1e-9 * estimate.covariance.norm());
+}
+
 }  // namespace
 }  // namespace line_plane_segmentation

@@ -53,6 +53,17 @@ PatchGrid detect(const DepthImage& depth, const Parameters& parameters) {
   return grid;
 }
 
+/// All patches, with fine ones wherever there are lines, none being called explained.
+PatchLevels refineAll(const DepthImage& depth, const Parameters& parameters, std::uint8_t explained = 0) {
+  const ViewRays rays = raysOf(kinectCamera(depth.width, depth.height), depth.width, depth.height);
+  PatchDetector detector;
+  PatchLevels levels;
+  detector.detect(depth, rays, parameters, levels.coarse);
+  detector.refine(depth, rays, parameters, std::vector<std::uint8_t>(levels.coarse.patches.size(), explained),
+                  levels);
+  return levels;
+}
+
 int planarCount(const PatchGrid& grid) {
   return static_cast<int>(std::count_if(grid.patches.begin(), grid.patches.end(),
                                         [](const SurfacePatch& p) { return p.is_planar; }));
@@ -265,6 +276,54 @@ TEST(DescribePatches, OfNothingIsNothing) {
   describePatches(PatchGrid{}, ViewRays{}, adaptiveParameters(320), segments, candidates);
   EXPECT_TRUE(segments.empty());
   EXPECT_TRUE(candidates.empty());
+}
+
+TEST(PatchDetector, RefinesWhereThereAreLines) {
+  const Surface surface = surfaceAt(1.5, 0.3, 0.2);
+  const Parameters parameters = adaptiveParameters(320);
+  const PatchLevels levels = refineAll(render(surface, kinectCamera(320, 240), 320, 240), parameters);
+  EXPECT_EQ(levels.fine.spacing, parameters.scanlines.fine_spacing);
+  EXPECT_EQ(levels.count(), static_cast<int>(levels.coarse.patches.size() + levels.fine.patches.size()));
+  ASSERT_GT(levels.fine.patches.size(), levels.coarse.patches.size());
+  for (int i = levels.firstFine(); i < levels.count(); ++i) {
+    const SurfacePatch& patch = levels.patch(i);
+    ASSERT_TRUE(patch.is_planar);
+    EXPECT_NEAR(1.0 / patch.plane.inverseDistance(), surface.d, 1e-3);
+    const int cell = levels.fine.cells[static_cast<std::size_t>(i - levels.firstFine())];
+    EXPECT_EQ(levels.fine.patchAt(cell), i - levels.firstFine());
+    EXPECT_EQ(levels.u(i), levels.fine.pixelOf(cell % levels.fine.columns));
+    EXPECT_EQ(levels.v(i), levels.fine.pixelOf(cell / levels.fine.columns));
+  }
+}
+
+TEST(PatchDetector, RefinesNothingThatIsExplainedOrThatNobodyWants) {
+  const DepthImage depth = render(surfaceAt(1.5), kinectCamera(320, 240), 320, 240);
+  Parameters parameters = adaptiveParameters(320);
+  EXPECT_TRUE(refineAll(depth, parameters, 1).fine.patches.empty());
+  parameters.scanlines.fine_spacing = parameters.scanlines.scanline_spacing;
+  const PatchLevels levels = refineAll(depth, parameters);
+  EXPECT_TRUE(levels.fine.patches.empty());
+  EXPECT_EQ(levels.fine.patchAt(0), -1);
+  EXPECT_TRUE(refineAll(blankDepth(320, 240), adaptiveParameters(320)).fine.patches.empty());
+  EXPECT_EQ(refineAll(blankDepth(0, 0), adaptiveParameters(320)).count(), 0);
+}
+
+TEST(PatchGrid, FindsTheTileOfAPixel) {
+  const PatchGrid grid = detect(blankDepth(50, 30), adaptiveParameters(320));
+  for (int v = -5; v < 40; ++v) {
+    for (int u = -5; u < 60; ++u) {
+      int nearest = -1, nearest_distance = 1 << 30;
+      for (int i = 0; i < grid.columns * grid.rows; ++i) {
+        const int du = 2 * (u - (i % grid.columns) * grid.spacing) - (grid.spacing - 1);
+        const int dv = 2 * (v - (i / grid.columns) * grid.spacing) - (grid.spacing - 1);
+        if (du * du + dv * dv < nearest_distance) {
+          nearest = i;
+          nearest_distance = du * du + dv * dv;
+        }
+      }
+      ASSERT_EQ(grid.indexAt(u, v), nearest) << u << ", " << v;
+    }
+  }
 }
 
 }  // namespace

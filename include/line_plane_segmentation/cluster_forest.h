@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <vector>
+
+#include "line_plane_segmentation/surface_patch.h"
+
+namespace line_plane_segmentation {
+
+/// Patches that lie in one plane.
+struct PatchCluster {
+  RegressionMoments moments;
+  InverseDepthPlane plane;
+  double squared_error = 0.0;  ///< in units of the tolerance squared
+  int patches = 0;             ///< 0: a patch that is not planar, and merges with nothing
+  double share = 0.0;          ///< of the picture that its patches stand for
+  bool is_narrow =
+      false;  ///< its patches reach its borders: they tell where it is, but hardly how it is tilted
+};
+
+/// Clusters that grow by merging, each patch one at first: a forest, at whose roots is known what makes up a
+/// cluster. Merging two costs the squared error that one common plane adds, for each pixel of the smaller
+/// one: how far, in tolerances, the smaller cluster is moved off its own plane.
+class ClusterForest {
+ public:
+  void clear();
+
+  /// Adds a patch, the next in number, that stands for a share of the picture.
+  void add(const SurfacePatch& patch, double share);
+
+  int size() const { return static_cast<int>(parent_.size()); }
+
+  /// The root of a patch's cluster.
+  int find(int patch);
+
+  /// @param root  of a cluster
+  const PatchCluster& cluster(int root) const { return clusters_[static_cast<std::size_t>(root)]; }
+
+  /// What it costs to merge the clusters of two roots; the largest number there is if they fix no plane.
+  double costOf(int a, int b, PatchCluster& merged) const;
+
+  /// Remembers two patches whose clusters may merge, for mergePairs(limit).
+  void addPair(int a, int b, double limit);
+
+  /// Merges the clusters of the pairs remembered that cost less than the limit, in rounds with rising limits,
+  /// so that what is most alike has grown together before anything doubtful is asked; then forgets the pairs.
+  void mergePairs(double limit);
+
+  /// Puts the cluster of root `b` into that of root `a`, which stays as it is known.
+  void attach(int a, int b) { parent_[static_cast<std::size_t>(b)] = a; }
+
+  /// Makes one of the clusters of two roots, as costOf() gave it; `a` is its root.
+  void merge(int a, int b, const PatchCluster& merged);
+
+ private:
+  /// Two patches of clusters that may merge.
+  struct Pair {
+    double cost;  ///< of merging their clusters, as these were
+    int a, b;
+    int patches;  ///< of both clusters then: clusters only grow, so the cost holds while this does
+  };
+
+  bool mergeIfCheaper(Pair& pair, double limit);
+
+  std::vector<PatchCluster> clusters_;  // of each patch; holds at a root
+  std::vector<int> parent_;
+  std::vector<Pair> pairs_;
+};
+
+}  // namespace line_plane_segmentation

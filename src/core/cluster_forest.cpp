@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "line_plane_segmentation/cluster_forest.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace line_plane_segmentation {
+
+void ClusterForest::clear() {
+  clusters_.clear();
+  parent_.clear();
+  pairs_.clear();
+}
+
+void ClusterForest::add(const SurfacePatch& patch, double share) {
+  clusters_.push_back(
+      {patch.moments, patch.plane, patch.squared_error, patch.is_planar ? 1 : 0, share, false});
+  parent_.push_back(static_cast<int>(parent_.size()));
+}
+
+int ClusterForest::find(int patch) {
+  while (parent_[static_cast<std::size_t>(patch)] != patch) {
+    int& parent = parent_[static_cast<std::size_t>(patch)];
+    parent = parent_[static_cast<std::size_t>(parent)];
+    patch = parent;
+  }
+  return patch;
+}
+
+double ClusterForest::costOf(int a, int b, PatchCluster& merged) const {
+  const PatchCluster &first = cluster(a), &second = cluster(b);
+  merged.moments = first.moments;
+  merged.moments += second.moments;
+  merged.squared_error = merged.moments.fit(merged.plane);
+  if (merged.squared_error < 0.0) return std::numeric_limits<double>::max();
+  merged.patches = first.patches + second.patches;
+  merged.share = first.share + second.share;
+  return (merged.squared_error - first.squared_error - second.squared_error) /
+         std::min(first.moments.pixels, second.moments.pixels);
+}
+
+void ClusterForest::addPair(int a, int b, double limit) {
+  const int root_a = find(a), root_b = find(b);
+  if (root_a == root_b || cluster(root_a).patches == 0 || cluster(root_b).patches == 0) return;
+  PatchCluster merged;
+  const double cost = costOf(root_a, root_b, merged);
+  // A pair of single patches may cost more than the clusters that they come to belong to, whose planes are
+  // surer.
+  if (cost < 4.0 * limit) pairs_.push_back({cost, a, b, merged.patches});
+}
+
+// Merges the clusters of a pair if that costs less than the limit.
+// @return whether the pair is done with, its patches being in one cluster
+bool ClusterForest::mergeIfCheaper(Pair& pair, double limit) {
+  const int a = find(pair.a), b = find(pair.b);
+  if (a == b) return true;
+  const int patches = cluster(a).patches + cluster(b).patches;
+  if (patches == pair.patches && !(pair.cost < limit)) return false;
+  PatchCluster merged;
+  pair.cost = costOf(a, b, merged);
+  pair.patches = patches;
+  if (!(pair.cost < limit)) return false;
+  merge(a, b, merged);
+  return true;
+}
+
+void ClusterForest::mergePairs(double limit) {
+  for (const double share : {1.0 / 64, 1.0 / 16, 1.0 / 8, 1.0 / 4, 1.0 / 2, 1.0, 1.0}) {
+    std::size_t kept = 0;
+    for (Pair& pair : pairs_) {
+      if (!mergeIfCheaper(pair, share * limit)) pairs_[kept++] = pair;
+    }
+    pairs_.resize(kept);
+  }
+  pairs_.clear();
+}
+
+void ClusterForest::merge(int a, int b, const PatchCluster& merged) {
+  clusters_[static_cast<std::size_t>(a)] = merged;
+  parent_[static_cast<std::size_t>(b)] = a;
+}
+
+}  // namespace line_plane_segmentation

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "line_plane_segmentation/coplanar_merging.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <limits>
+#include <tuple>
+
+namespace line_plane_segmentation {
+namespace {
+
+constexpr std::size_t kMaxClusters = 100;  // every pair of these is tried, so that the time stays bounded
+
+// The patch of a cluster that is nearest in the picture to another patch.
+int nearestPatch(const PatchLevels& levels, int root, int to, ClusterForest& forest) {
+  int nearest = root, nearest_distance = std::numeric_limits<int>::max();
+  for (int i = 0; i < forest.size(); ++i) {
+    if (forest.find(i) != root) continue;
+    const int du = levels.u(i) - levels.u(to), dv = levels.v(i) - levels.v(to);
+    if (du * du + dv * dv < nearest_distance) {
+      nearest = i;
+      nearest_distance = du * du + dv * dv;
+    }
+  }
+  return nearest;
+}
+
+// Whether one looks at nothing behind the common plane on the straight way from one patch to another.
+bool isOccludedBetween(int from, int to, const InverseDepthPlane& plane, const DepthImage& depth,
+                       const ViewRays& rays, const PatchLevels& levels, const Parameters& parameters) {
+  const double inverse_distance = plane.inverseDistance();
+  const DepthTolerance tolerance{parameters.noise, 2.0 * parameters.extraction.distance_noise_factor,
+                                 2.0 * parameters.extraction.plane_distance};
+  const int u0 = levels.u(from), v0 = levels.v(from);
+  const int du = levels.u(to) - u0, dv = levels.v(to) - v0;
+  const int steps = std::max(std::abs(du), std::abs(dv));
+  int behind = 0;
+  for (int k = 0; k < steps; ++k) {
+    const int u = u0 + du * k / steps, v = v0 + dv * k / steps;
+    const float z = depth.at(u, v);
+    if (!(z > 0.0F)) continue;
+    const double w = 1.0 / static_cast<double>(z);
+    const double expected =
+        plane.at(rays.x[static_cast<std::size_t>(u)], rays.y[static_cast<std::size_t>(v)]);
+    if (expected - w > tolerance.at(w, inverse_distance)) ++behind;
+  }
+  return 4 * behind < steps;
+}
+
+}  // namespace
+
+// The roots of the largest clusters, in their order.
+void CoplanarMerger::findRoots(int min_patches, ClusterForest& forest) {
+  roots_.clear();
+  for (int i = 0; i < forest.size(); ++i) {
+    if (forest.find(i) == i && forest.cluster(i).patches >= min_patches) roots_.push_back(i);
+  }
+  if (roots_.size() <= kMaxClusters) return;
+  std::nth_element(roots_.begin(), roots_.begin() + kMaxClusters, roots_.end(), [&forest](int a, int b) {
+    const int patches_a = forest.cluster(a).patches, patches_b = forest.cluster(b).patches;
+    return patches_a != patches_b ? patches_a > patches_b : a < b;
+  });
+  roots_.resize(kMaxClusters);
+  std::sort(roots_.begin(), roots_.end());
+}
+
+void CoplanarMerger::merge(const DepthImage& depth, const ViewRays& rays, const PatchLevels& levels,
+                           const Parameters& parameters, ClusterForest& forest) {
+  const double limit = parameters.clusters.coplanar_cost;
+  if (!(limit > 0.0)) return;
+  findRoots(parameters.clusters.min_patches, forest);
+  pairs_.clear();
+  PatchCluster merged;
+  for (std::size_t i = 0; i < roots_.size(); ++i) {
+    for (std::size_t j = i + 1; j < roots_.size(); ++j) {
+      const double cost = forest.costOf(roots_[i], roots_[j], merged);
+      if (cost < limit) pairs_.push_back({cost, roots_[i], roots_[j]});
+    }
+  }
+  std::sort(pairs_.begin(), pairs_.end(), [](const Pair& p, const Pair& q) {
+    return std::tie(p.cost, p.a, p.b) < std::tie(q.cost, q.a, q.b);
+  });
+  for (const Pair& pair : pairs_) {
+    const int a = forest.find(pair.a), b = forest.find(pair.b);
+    if (a == b || !(forest.costOf(a, b, merged) < limit)) continue;
+    const int from = nearestPatch(levels, a, b, forest);
+    const int to = nearestPatch(levels, b, from, forest);
+    if (isOccludedBetween(from, to, merged.plane, depth, rays, levels, parameters))
+      forest.merge(a, b, merged);
+  }
+}
+
+}  // namespace line_plane_segmentation
