@@ -31,7 +31,14 @@ class ClusterForest {
   int size() const { return static_cast<int>(parent_.size()); }
 
   /// The root of a patch's cluster.
-  int find(int patch);
+  int find(int patch) {
+    while (parent_[static_cast<std::size_t>(patch)] != patch) {
+      int& parent = parent_[static_cast<std::size_t>(patch)];
+      parent = parent_[static_cast<std::size_t>(parent)];
+      patch = parent;
+    }
+    return patch;
+  }
 
   /// @param root  of a cluster
   const PatchCluster& cluster(int root) const { return clusters_[static_cast<std::size_t>(root)]; }

@@ -23,9 +23,14 @@ class CoplanarMerger {
   };
 
   void findRoots(int min_patches, ClusterForest& forest);
+  void listPatches(ClusterForest& forest);
+  int nearestPatch(const PatchLevels& levels, int root, int to) const;
 
   std::vector<int> roots_;
   std::vector<Pair> pairs_;
+  // The patches of each of these clusters as a chain: its first at the root, each patch's next, and the last;
+  // -1 ends it.
+  std::vector<int> first_, next_, last_;
 };
 
 }  // namespace line_plane_segmentation

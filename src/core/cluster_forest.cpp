@@ -18,15 +18,6 @@ void ClusterForest::add(const SurfacePatch& patch, double share) {
   parent_.push_back(static_cast<int>(parent_.size()));
 }
 
-int ClusterForest::find(int patch) {
-  while (parent_[static_cast<std::size_t>(patch)] != patch) {
-    int& parent = parent_[static_cast<std::size_t>(patch)];
-    parent = parent_[static_cast<std::size_t>(parent)];
-    patch = parent;
-  }
-  return patch;
-}
-
 double ClusterForest::costOf(int a, int b, PatchCluster& merged) const {
   const PatchCluster &first = cluster(a), &second = cluster(b);
   merged.moments = first.moments;

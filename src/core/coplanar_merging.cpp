@@ -11,20 +11,6 @@ namespace {
 
 constexpr std::size_t kMaxClusters = 100;  // every pair of these is tried, so that the time stays bounded
 
-// The patch of a cluster that is nearest in the picture to another patch.
-int nearestPatch(const PatchLevels& levels, int root, int to, ClusterForest& forest) {
-  int nearest = root, nearest_distance = std::numeric_limits<int>::max();
-  for (int i = 0; i < forest.size(); ++i) {
-    if (forest.find(i) != root) continue;
-    const int du = levels.u(i) - levels.u(to), dv = levels.v(i) - levels.v(to);
-    if (du * du + dv * dv < nearest_distance) {
-      nearest = i;
-      nearest_distance = du * du + dv * dv;
-    }
-  }
-  return nearest;
-}
-
 // Whether one looks at nothing behind the common plane on the straight way from one patch to another.
 bool isOccludedBetween(int from, int to, const InverseDepthPlane& plane, const DepthImage& depth,
                        const ViewRays& rays, const PatchLevels& levels, const Parameters& parameters) {
@@ -64,6 +50,33 @@ void CoplanarMerger::findRoots(int min_patches, ClusterForest& forest) {
   std::sort(roots_.begin(), roots_.end());
 }
 
+void CoplanarMerger::listPatches(ClusterForest& forest) {
+  const std::size_t count = static_cast<std::size_t>(forest.size());
+  first_.assign(count, -1);
+  next_.assign(count, -1);
+  last_.resize(count);
+  for (int i = forest.size() - 1; i >= 0; --i) {
+    const std::size_t root = static_cast<std::size_t>(forest.find(i));
+    if (first_[root] < 0) last_[root] = i;
+    next_[static_cast<std::size_t>(i)] = first_[root];
+    first_[root] = i;
+  }
+}
+
+// The patch of a cluster that is nearest in the picture to another patch.
+int CoplanarMerger::nearestPatch(const PatchLevels& levels, int root, int to) const {
+  const int u = levels.u(to), v = levels.v(to);
+  int nearest = root, nearest_distance = std::numeric_limits<int>::max();
+  for (int i = first_[static_cast<std::size_t>(root)]; i >= 0; i = next_[static_cast<std::size_t>(i)]) {
+    const int du = levels.u(i) - u, dv = levels.v(i) - v;
+    if (du * du + dv * dv < nearest_distance) {
+      nearest = i;
+      nearest_distance = du * du + dv * dv;
+    }
+  }
+  return nearest;
+}
+
 void CoplanarMerger::merge(const DepthImage& depth, const ViewRays& rays, const PatchLevels& levels,
                            const Parameters& parameters, ClusterForest& forest) {
   const double limit = parameters.clusters.coplanar_cost;
@@ -80,13 +93,15 @@ void CoplanarMerger::merge(const DepthImage& depth, const ViewRays& rays, const 
   std::sort(pairs_.begin(), pairs_.end(), [](const Pair& p, const Pair& q) {
     return std::tie(p.cost, p.a, p.b) < std::tie(q.cost, q.a, q.b);
   });
+  listPatches(forest);
   for (const Pair& pair : pairs_) {
     const int a = forest.find(pair.a), b = forest.find(pair.b);
     if (a == b || !(forest.costOf(a, b, merged) < limit)) continue;
-    const int from = nearestPatch(levels, a, b, forest);
-    const int to = nearestPatch(levels, b, from, forest);
-    if (isOccludedBetween(from, to, merged.plane, depth, rays, levels, parameters))
-      forest.merge(a, b, merged);
+    const int from = nearestPatch(levels, a, b), to = nearestPatch(levels, b, from);
+    if (!isOccludedBetween(from, to, merged.plane, depth, rays, levels, parameters)) continue;
+    forest.merge(a, b, merged);
+    next_[static_cast<std::size_t>(last_[static_cast<std::size_t>(a)])] = first_[static_cast<std::size_t>(b)];
+    last_[static_cast<std::size_t>(a)] = last_[static_cast<std::size_t>(b)];
   }
 }
 

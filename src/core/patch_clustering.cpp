@@ -74,12 +74,12 @@ void PatchClusterer::addFine(const PatchLevels& levels, double limit) {
   const int first = levels.firstFine(), step = fine.spacing;
   const double join_limit = kJoinCost * limit;
   for (int i = first; i < levels.count(); ++i) {
-    const int u = levels.u(i), v = levels.v(i);
-    forest_.addPair(i, coarse.indexAt(u, v), join_limit);
-    forest_.addPair(i, coarse.indexAt(u - step, v), join_limit);
-    forest_.addPair(i, coarse.indexAt(u + step, v), join_limit);
-    forest_.addPair(i, coarse.indexAt(u, v - step), join_limit);
-    forest_.addPair(i, coarse.indexAt(u, v + step), join_limit);
+    const int u = levels.u(i), v = levels.v(i), here = coarse.indexAt(u, v);
+    forest_.addPair(i, here, join_limit);
+    for (const int neighbor : {coarse.indexAt(u - step, v), coarse.indexAt(u + step, v),
+                               coarse.indexAt(u, v - step), coarse.indexAt(u, v + step)}) {
+      if (neighbor != here) forest_.addPair(i, neighbor, join_limit);
+    }
   }
   forest_.mergePairs(join_limit);
   for (int i = first; i < levels.count(); ++i) {
