@@ -14,26 +14,24 @@ CameraSubscription::CameraSubscription(const ros::NodeHandle& nh, const ros::Nod
     : nh_(nh),
       private_nh_(private_nh),
       transport_(nh),
-      image_topic_(nh.resolveName("depth/image_rect")),
-      info_topic_(image_transport::getCameraInfoTopic(image_topic_)),
       queue_size_(static_cast<unsigned>(queue_size)),
       handler_(std::move(handler)),
-      pairing_(queue_size_) {}
+      pairing_(queue_size_) {
+  topics_.image = nh.resolveName("depth/image_rect");
+  topics_.info = image_transport::getCameraInfoTopic(topics_.image);
+}
 
 void CameraSubscription::subscribe() {
-  if (subscribed_) return;
-  subscribed_ = true;
-  times_ = InputTimes{};
+  if (subscribed()) return;
   times_.subscribed = std::chrono::steady_clock::now();
   const ros::TransportHints no_delay = ros::TransportHints().tcpNoDelay();
   const image_transport::TransportHints hints("raw", no_delay, private_nh_);
-  info_subscriber_ = nh_.subscribe(info_topic_, queue_size_, &CameraSubscription::onInfo, this, no_delay);
+  info_subscriber_ = nh_.subscribe(topics_.info, queue_size_, &CameraSubscription::onInfo, this, no_delay);
   image_subscriber_ =
-      transport_.subscribe(image_topic_, queue_size_, &CameraSubscription::onImage, this, hints);
+      transport_.subscribe(topics_.image, queue_size_, &CameraSubscription::onImage, this, hints);
 }
 
 void CameraSubscription::unsubscribe() {
-  subscribed_ = false;
   image_subscriber_.shutdown();
   info_subscriber_.shutdown();
   pairing_.clear();
@@ -41,7 +39,7 @@ void CameraSubscription::unsubscribe() {
 }
 
 void CameraSubscription::onImage(const sensor_msgs::ImageConstPtr& image) {
-  containExceptions(image_topic_, [&] {
+  containExceptions(topics_.image, [&] {
     times_.image = std::chrono::steady_clock::now();
     CameraFrame frame;
     if (pairing_.add(image, frame)) deliver(std::move(frame));
@@ -49,7 +47,7 @@ void CameraSubscription::onImage(const sensor_msgs::ImageConstPtr& image) {
 }
 
 void CameraSubscription::onInfo(const sensor_msgs::CameraInfoConstPtr& info) {
-  containExceptions(info_topic_, [&] {
+  containExceptions(topics_.info, [&] {
     times_.info = std::chrono::steady_clock::now();
     CameraFrame frame;
     if (pairing_.add(info, frame)) deliver(std::move(frame));

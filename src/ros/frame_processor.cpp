@@ -75,7 +75,7 @@ void FrameProcessor::process(const CameraFrame& frame) {
   applyParameters();
   const Validation& input = segmenter_.accept(frame);
   if (!input.accepted()) {
-    refuse(input.refusal, explain(input.refusal, *frame.image, *frame.info));
+    refuse(input.refusal, segmenter_.explanation(frame));
     return;
   }
   advice_.accepted(frame, input);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "frame_segmenter.h"
 
+#include "line_plane_segmentation/ros/cloud_validation.h"
+
 namespace line_plane_segmentation {
 namespace {
 
@@ -17,8 +19,9 @@ DepthRange rangeOf(const Parameters& parameters) {
 }  // namespace
 
 const Validation& FrameSegmenter::accept(const CameraFrame& frame) {
-  header_ = withoutSlash(frame.image->header);
-  input_ = validate(*frame.image, *frame.info, limits_);
+  header_ = withoutSlash(frame.header());
+  input_ = frame.cloud ? validate(*frame.cloud, limits_, cloud_depth_)
+                       : validate(*frame.image, *frame.info, limits_);
   return input_;
 }
 
@@ -31,6 +34,11 @@ const Segmentation& FrameSegmenter::segment() {
 const Validation& FrameSegmenter::segment(const CameraFrame& frame) {
   if (accept(frame).accepted()) segment();
   return input_;
+}
+
+std::string FrameSegmenter::explanation(const CameraFrame& frame) const {
+  return frame.cloud ? explain(input_.refusal, *frame.cloud)
+                     : explain(input_.refusal, *frame.image, *frame.info);
 }
 
 SegmentedFrame FrameSegmenter::result(const PublishedPlanes& published) const {

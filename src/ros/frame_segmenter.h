@@ -3,6 +3,8 @@
 
 #include <std_msgs/Header.h>
 
+#include <cstdint>
+#include <string>
 #include <vector>
 
 #include "line_plane_segmentation/parameters.h"
@@ -26,6 +28,10 @@ class FrameSegmenter {
   /// Looks at the frame, and decides whether it is segmented.
   /// @param frame  its messages must live as long as what is made of them here
   const Validation& accept(const CameraFrame& frame);
+
+  /// One line for the user, if the last frame was refused: why, and what to do about it.
+  /// @param frame  the same that was looked at
+  std::string explanation(const CameraFrame& frame) const;
 
   /// Segments the frame that was accepted.
   const Segmentation& segment();
@@ -54,6 +60,7 @@ class FrameSegmenter {
   PlaneSegmenter segmenter_;
   StageClock clock_;
   std_msgs::Header header_;
+  std::vector<std::uint8_t> cloud_depth_;  // looked at by the view of a cloud
   Validation input_;
   DepthRange range_;
   const Segmentation* segmentation_ = nullptr;

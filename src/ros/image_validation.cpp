@@ -73,12 +73,6 @@ bool sizesMatch(const sensor_msgs::Image& image, const sensor_msgs::CameraInfo& 
          sizeFits(image.height, shownPixels(info.height, info.roi.height), binningOf(info.binning_y));
 }
 
-bool isUsable(const CameraIntrinsics& camera) {
-  return camera.isValid() && std::min(camera.fx, camera.fy) >= kMinFocalLength &&
-         std::max(camera.fx, camera.fy) <= kMaxPixelNumber &&
-         std::max(std::abs(camera.cx), std::abs(camera.cy)) <= kMaxPixelNumber;
-}
-
 bool hasProjection(const sensor_msgs::CameraInfo& info) { return info.P[0] != 0.0 || info.P[5] != 0.0; }
 
 Refusal makeCamera(const sensor_msgs::Image& image, const sensor_msgs::CameraInfo& info, Validation& found) {
@@ -125,10 +119,16 @@ std::string sizeOf(std::uint32_t width, std::uint32_t height) {
 
 }  // namespace
 
+bool isUsable(const CameraIntrinsics& camera) {
+  return camera.isValid() && std::min(camera.fx, camera.fy) >= kMinFocalLength &&
+         std::max(camera.fx, camera.fy) <= kMaxPixelNumber &&
+         std::max(std::abs(camera.cx), std::abs(camera.cy)) <= kMaxPixelNumber;
+}
+
 const char* nameOf(Refusal refusal) {
-  constexpr std::array<const char*, kRefusalCount> kNames = {"none",          "empty_image",   "encoding",
-                                                             "too_large",     "bad_step",      "short_data",
-                                                             "info_mismatch", "no_intrinsics", "tf"};
+  constexpr std::array<const char*, kRefusalCount> kNames = {
+      "none",          "empty_image",   "encoding", "too_large",   "bad_step",     "short_data",
+      "info_mismatch", "no_intrinsics", "tf",       "unorganized", "cloud_fields", "not_pinhole"};
   return kNames[static_cast<std::size_t>(refusal)];
 }
 
@@ -144,9 +144,6 @@ Validation validate(const sensor_msgs::Image& image, const sensor_msgs::CameraIn
 std::string explain(Refusal refusal, const sensor_msgs::Image& image, const sensor_msgs::CameraInfo& info) {
   const std::string size = sizeOf(image.width, image.height);
   switch (refusal) {
-    case Refusal::kNone:
-    case Refusal::kTf:  // nothing is wrong with these two
-      return {};
     case Refusal::kEmptyImage:
       return "the image is " + size + " pixels: check the camera driver";
     case Refusal::kEncoding:
@@ -168,8 +165,9 @@ std::string explain(Refusal refusal, const sensor_msgs::Image& image, const sens
     case Refusal::kNoIntrinsics:
       return "camera_info holds no usable focal lengths (P " + toText(info.P[0]) + ", " + toText(info.P[5]) +
              "; K " + toText(info.K[0]) + ", " + toText(info.K[4]) + "): calibrate the camera";
+    default:  // nothing is wrong with these two
+      return {};
   }
-  return {};
 }
 
 }  // namespace line_plane_segmentation

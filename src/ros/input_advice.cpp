@@ -56,14 +56,17 @@ void InputAdvice::accepted(const CameraFrame& frame, const Validation& input) {
   if (input.intrinsics_from_k) once(told_intrinsics_from_k_, "camera_info has no P: K is used in its place");
   if (input.distorted) {
     once(told_distorted_,
-         "camera_info has distortion: unless the images are rectified, planes bend toward their borders");
+         frame.cloud ? "the clouds come from a camera with distortion: planes bend toward the borders"
+                     : "camera_info has distortion: unless the images are rectified, planes bend "
+                       "toward their borders");
   }
-  const std::string& image_frame = frame.image->header.frame_id;
+  const std::string& image_frame = frame.header().frame_id;
   if (image_frame.empty()) once(told_no_frame_, "the images have no frame_id: rviz and tf cannot place them");
   if (startsWithSlash(image_frame)) {
     once(told_slash_,
          "the images' frame_id '" + image_frame + "' starts with a slash, which tf2 refuses: it is cut off");
   }
+  if (frame.cloud) return;
   const std::string& info_frame = frame.info->header.frame_id;
   if (info_frame != image_frame) {
     once(told_other_frame_, "camera_info has frame_id '" + info_frame + "', the images have '" + image_frame +
@@ -77,7 +80,7 @@ void InputAdvice::segmented(const Validation& input, const DepthRange& range,
   if (shareBeyondRange(input.view, range) <= 0.5) return;
   const bool metres = input.view.type == DepthType::kFloat32;
   once(told_beyond_range_, std::string("most depths lie beyond max_range: ") +
-                               (metres ? "does the 32FC1 image hold millimetres?" : "should it be larger?"));
+                               (metres ? "are they in millimetres?" : "should it be larger?"));
 }
 
 double shareBeyondRange(const DepthView& depth, const DepthRange& range) {

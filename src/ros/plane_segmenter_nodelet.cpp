@@ -9,6 +9,8 @@
 #include <utility>
 #include <vector>
 
+#include "camera_subscription.h"
+#include "cloud_subscription.h"
 #include "contain_exceptions.h"
 #include "status_report.h"
 
@@ -26,6 +28,20 @@ int intParameter(const ros::NodeHandle& nh, const std::string& name, int fallbac
   return value;
 }
 
+// True if clouds are to be read in the place of images.
+bool readsClouds(const ros::NodeHandle& nh) {
+  std::string input = "image";
+  const bool given = nh.hasParam("input");
+  if ((given && !nh.getParam("input", input)) || (input != "image" && input != "cloud")) {
+    throw std::invalid_argument("~input must be image or cloud");
+  }
+  return input == "cloud";
+}
+
+std::string describe(const InputTopics& topics) {
+  return topics.cloud.empty() ? topics.image + " and " + topics.info : topics.cloud;
+}
+
 }  // namespace
 
 PlaneSegmenterNodelet::~PlaneSegmenterNodelet() = default;
@@ -36,8 +52,8 @@ void PlaneSegmenterNodelet::onInit() {
     const std::lock_guard<std::mutex> lock(connect_mutex_);
     try {
       start();
-      ROS_INFO("[%s] idle until somebody subscribes to one of its outputs, then reads %s and %s",
-               getName().c_str(), subscription_->imageTopic().c_str(), subscription_->infoTopic().c_str());
+      ROS_INFO("[%s] idle until somebody subscribes to one of its outputs, then reads %s", getName().c_str(),
+               describe(subscription_->topics()).c_str());
     } catch (const std::exception& exception) {
       stop();
       failure_ = exception.what();
@@ -73,8 +89,12 @@ void PlaneSegmenterNodelet::start() {
   transforms_ = std::make_unique<TransformFeed>(nh);
   processor_ = std::make_unique<FrameProcessor>(getName(), limits, static_cast<std::size_t>(queue_size),
                                                 *outputs_, transforms_->buffer());
-  subscription_ = std::make_unique<CameraSubscription>(
-      nh, private_nh, queue_size, [this](CameraFrame frame) { processor_->queue().push(std::move(frame)); });
+  const InputSource::Handler push = [this](CameraFrame frame) { processor_->queue().push(std::move(frame)); };
+  if (readsClouds(private_nh)) {
+    subscription_ = std::make_unique<CloudSubscription>(nh, queue_size, push);
+  } else {
+    subscription_ = std::make_unique<CameraSubscription>(nh, private_nh, queue_size, push);
+  }
   reconfigure_server_ = std::make_unique<dynamic_reconfigure::Server<PlaneSegmenterConfig>>(private_nh);
   reconfigure_server_->setCallback([this](PlaneSegmenterConfig& config, std::uint32_t) {
     containExceptions(getName(), [&] { reconfigure(config); });
@@ -125,8 +145,7 @@ void PlaneSegmenterNodelet::reportStatus(diagnostic_updater::DiagnosticStatusWra
   status.failure = failure_;
   if (subscription_) {
     status.wanted = outputs_->wanted();
-    status.image_topic = subscription_->imageTopic();
-    status.info_topic = subscription_->infoTopic();
+    status.topics = subscription_->topics();
     status.input = subscription_->times();
     status.dropped = processor_->queue().dropped();
     status.newly_dropped = status.dropped - std::exchange(reported_dropped_, status.dropped);

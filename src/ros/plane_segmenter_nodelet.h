@@ -11,8 +11,8 @@
 #include <mutex>
 #include <string>
 
-#include "camera_subscription.h"
 #include "frame_processor.h"
+#include "input_source.h"
 #include "line_plane_segmentation/ros/parameter_config.h"
 #include "outputs.h"
 #include "transform_feed.h"
@@ -45,7 +45,7 @@ class PlaneSegmenterNodelet : public nodelet::Nodelet {
   std::unique_ptr<Outputs> outputs_;
   std::unique_ptr<TransformFeed> transforms_;
   std::unique_ptr<FrameProcessor> processor_;
-  std::unique_ptr<CameraSubscription> subscription_;
+  std::unique_ptr<InputSource> subscription_;
   std::unique_ptr<dynamic_reconfigure::Server<PlaneSegmenterConfig>> reconfigure_server_;
   std::unique_ptr<diagnostic_updater::Updater> updater_;
   ros::WallTimer report_timer_;

@@ -3,6 +3,8 @@
 
 #include <sensor_msgs/CameraInfo.h>
 #include <sensor_msgs/Image.h>
+#include <sensor_msgs/PointCloud2.h>
+#include <std_msgs/Header.h>
 
 #include <chrono>
 #include <cstddef>
@@ -10,11 +12,15 @@
 
 namespace line_plane_segmentation {
 
-/// A depth image and the camera_info of the same stamp.
+/// A depth image and the camera_info of the same stamp, or an organised point cloud in the place of both.
 struct CameraFrame {
   sensor_msgs::ImageConstPtr image;
   sensor_msgs::CameraInfoConstPtr info;
   std::chrono::steady_clock::time_point arrived{};  ///< in the queue
+  sensor_msgs::PointCloud2ConstPtr cloud{};
+
+  /// Of the image or the cloud.
+  const std_msgs::Header& header() const { return cloud ? cloud->header : image->header; }
 };
 
 /// Pairs images with the camera_info of exactly their stamp, whichever comes first.

@@ -22,10 +22,11 @@ struct Summary {
 // What is missing between the subscription and a first or next pair of image and camera_info.
 std::string missingInput(const NodeletStatus& status, TimePoint now) {
   const auto recent = [now](TimePoint time) { return time != TimePoint{} && now - time < kPatience; };
-  if (!recent(status.input.image)) return "waiting for images on " + status.image_topic;
-  if (!recent(status.input.info)) return "waiting for camera_info on " + status.info_topic;
-  return "waiting for camera_info on " + status.info_topic + " with the stamp of an image on " +
-         status.image_topic + ": none has one";
+  if (!status.topics.cloud.empty()) return "waiting for point clouds on " + status.topics.cloud;
+  if (!recent(status.input.image)) return "waiting for images on " + status.topics.image;
+  if (!recent(status.input.info)) return "waiting for camera_info on " + status.topics.info;
+  return "waiting for camera_info on " + status.topics.info + " with the stamp of an image on " +
+         status.topics.image + ": none has one";
 }
 
 Summary summarize(const NodeletStatus& status, TimePoint now) {
@@ -66,8 +67,12 @@ void report(const NodeletStatus& status, TimePoint now,
 
   const FrameReport& frames = status.frames;
   const double seconds = std::max(frames.seconds, 1e-6);
-  diagnostics.add("image topic", status.image_topic);
-  diagnostics.add("camera_info topic", status.info_topic);
+  if (status.topics.cloud.empty()) {
+    diagnostics.add("image topic", status.topics.image);
+    diagnostics.add("camera_info topic", status.topics.info);
+  } else {
+    diagnostics.add("point cloud topic", status.topics.cloud);
+  }
   diagnostics.addf("rate [Hz]", "%.2f", static_cast<double>(frames.frames) / seconds);
   if (frames.delays > 0) {
     diagnostics.addf("delay [ms]", "%.1f", 1000.0 * frames.delay);

@@ -6,8 +6,8 @@
 #include <cstdint>
 #include <string>
 
-#include "camera_subscription.h"
 #include "frame_statistics.h"
+#include "input_source.h"
 
 namespace line_plane_segmentation {
 
@@ -15,8 +15,7 @@ namespace line_plane_segmentation {
 struct NodeletStatus {
   std::string failure;  ///< why the nodelet does not work at all; empty if it does
   bool wanted = false;  ///< somebody subscribes to an output
-  std::string image_topic;
-  std::string info_topic;
+  InputTopics topics;
   InputTimes input;
   std::uint64_t dropped = 0;        ///< frames, since the beginning
   std::uint64_t newly_dropped = 0;  ///< frames, since the last report

@@ -21,8 +21,8 @@ const InputTimes::TimePoint kNow = InputTimes::TimePoint{} + std::chrono::hours(
 NodeletStatus statusOfWorkingNodelet() {
   NodeletStatus status;
   status.wanted = true;
-  status.image_topic = "/camera/depth/image_rect";
-  status.info_topic = "/camera/depth/camera_info";
+  status.topics.image = "/camera/depth/image_rect";
+  status.topics.info = "/camera/depth/camera_info";
   status.input.subscribed = kNow - seconds(60);
   status.input.image = status.input.info = status.input.frame = kNow - milliseconds(30);
   status.frames.seconds = 2.0;
@@ -73,6 +73,16 @@ TEST(StatusReport, waitsForImages) {
   expectStatus(status, DiagnosticStatus::OK, "waiting for images on /camera/depth/image_rect");
   status.input.subscribed = kNow - seconds(10);
   expectStatus(status, DiagnosticStatus::WARN, "waiting for images on /camera/depth/image_rect");
+}
+
+TEST(StatusReport, waitsForClouds) {
+  NodeletStatus status = statusOfWorkingNodelet();
+  status.topics = {"", "", "/camera/depth_registered/points"};
+  status.input.image = status.input.info = InputTimes::TimePoint{};
+  expectStatus(status, DiagnosticStatus::OK, "segmenting");
+  EXPECT_EQ("/camera/depth_registered/points", valueOf(reportOf(status), "point cloud topic"));
+  status.input.frame = kNow - seconds(11);
+  expectStatus(status, DiagnosticStatus::WARN, "waiting for point clouds on /camera/depth_registered/points");
 }
 
 // Row 20.

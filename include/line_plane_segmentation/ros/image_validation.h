@@ -24,9 +24,12 @@ enum class Refusal : std::uint8_t {
   kInfoMismatch,  ///< camera_info is about an image of another size
   kNoIntrinsics,  ///< camera_info holds no usable focal lengths
   kTf,            ///< tf cannot tell where the camera is in the frame that planes are wanted in
+  kUnorganized,   ///< a point cloud without rows and columns
+  kCloudFields,   ///< a point cloud without x, y and z as floats
+  kNotPinhole,    ///< a point cloud whose points a pinhole camera sees elsewhere
 };
 
-constexpr std::size_t kRefusalCount = 9;
+constexpr std::size_t kRefusalCount = 12;
 
 /// The refusal's name as it stands in the diagnostics: "empty_image", "short_data" ...
 const char* nameOf(Refusal refusal);
@@ -36,13 +39,16 @@ struct InputLimits {
   std::uint64_t max_pixels = std::uint64_t{1} << 24;  ///< [px] of one image
 };
 
+/// False for what no lens is like; points made with a usable camera do not overflow a float.
+bool isUsable(const CameraIntrinsics& camera);
+
 /// What validate() decided. `view` and `camera` are usable if `accepted()`.
 struct Validation {
   Refusal refusal = Refusal::kNone;
-  DepthView view;                  ///< of the image's own bytes: valid as long as the image is
-  CameraIntrinsics camera;         ///< of the view's pixels, binning and region of interest included
+  DepthView view;           ///< of the image's own bytes: valid as long as the image is (of a cloud: its z)
+  CameraIntrinsics camera;  ///< of the view's pixels, binning and region of interest included
   bool intrinsics_from_k = false;  ///< P holds no focal lengths, K was taken
-  bool distorted = false;          ///< camera_info has distortion: right if the image is rectified
+  bool distorted = false;          ///< camera_info or cloud has distortion: right if the image is rectified
 
   bool accepted() const { return refusal == Refusal::kNone; }
 };

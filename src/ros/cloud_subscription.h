@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <ros/node_handle.h>
+#include <ros/subscriber.h>
+
+#include "input_source.h"
+
+namespace line_plane_segmentation {
+
+/// The subscription of an organised point cloud, for sensors that have no depth image to offer.
+class CloudSubscription : public InputSource {
+ public:
+  /// Subscribes nothing yet.
+  /// @param queue_size  messages that may wait in the transport
+  CloudSubscription(const ros::NodeHandle& nh, int queue_size, Handler handler);
+
+  void subscribe() override;
+  void unsubscribe() override;
+
+ private:
+  void onCloud(const sensor_msgs::PointCloud2ConstPtr& cloud);
+
+  ros::NodeHandle nh_;
+  unsigned queue_size_;
+  Handler handler_;
+  ros::Subscriber subscriber_;
+};
+
+}  // namespace line_plane_segmentation

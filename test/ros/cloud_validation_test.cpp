@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "line_plane_segmentation/ros/cloud_validation.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <boost/make_shared.hpp>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "frame_segmenter.h"
+#include "test_clouds.h"
+
+namespace line_plane_segmentation {
+namespace {
+
+constexpr std::uint32_t kWidth = 64;
+constexpr std::uint32_t kHeight = 48;
+const CameraIntrinsics kCamera{70.0, 75.0, 30.0, 25.5};
+const Eigen::Vector3d kNormal = Eigen::Vector3d(0.2, -0.4, -1.0).normalized();
+constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+
+class CloudValidation : public testing::Test {
+ protected:
+  CloudValidation() { setPlane(cloud_, kCamera, kNormal, 1.4); }
+
+  Validation validate() { return line_plane_segmentation::validate(cloud_, limits_, depth_); }
+
+  // Applies to every point.
+  void change(
+      const std::function<Eigen::Vector3d(std::uint32_t, std::uint32_t, const Eigen::Vector3d&)>& changed) {
+    for (std::uint32_t v = 0; v < kHeight; ++v) {
+      for (std::uint32_t u = 0; u < kWidth; ++u) {
+        const Eigen::Vector3d ray((u - kCamera.cx) / kCamera.fx, (v - kCamera.cy) / kCamera.fy, 1.0);
+        setPoint(cloud_, u, v, changed(u, v, -1.4 / kNormal.dot(ray) * ray));
+      }
+    }
+  }
+
+  void expectTheCamera(const CameraIntrinsics& camera, double tolerance = 1e-3) {
+    EXPECT_NEAR(kCamera.fx, camera.fx, tolerance);
+    EXPECT_NEAR(kCamera.fy, camera.fy, tolerance);
+    EXPECT_NEAR(kCamera.cx, camera.cx, tolerance);
+    EXPECT_NEAR(kCamera.cy, camera.cy, tolerance);
+  }
+
+  sensor_msgs::PointCloud2 cloud_ = testCloud(kWidth, kHeight);
+  InputLimits limits_;
+  std::vector<std::uint8_t> depth_;
+};
+
+TEST_F(CloudValidation, findsDepthAndCamera) {
+  for (const bool big_endian : {false, true}) {
+    SCOPED_TRACE(big_endian);
+    cloud_.is_bigendian = big_endian;
+    setPlane(cloud_, kCamera, kNormal, 1.4);
+    const Validation found = validate();
+    ASSERT_TRUE(found.accepted()) << nameOf(found.refusal);
+    EXPECT_FALSE(found.distorted);
+    expectTheCamera(found.camera);
+    ASSERT_EQ(static_cast<int>(kWidth), found.view.width);
+    ASSERT_EQ(static_cast<int>(kHeight), found.view.height);
+    std::vector<float> row(kWidth);
+    for (int v = 0; v < static_cast<int>(kHeight); ++v) {
+      loadRow(found.view, v, {0.1F, 10.0F}, row.data());
+      for (int u = 0; u < static_cast<int>(kWidth); ++u) {
+        const Eigen::Vector3d ray((u - kCamera.cx) / kCamera.fx, (v - kCamera.cy) / kCamera.fy, 1.0);
+        ASSERT_NEAR(-1.4 / kNormal.dot(ray), row[static_cast<std::size_t>(u)], 1e-5) << u << ' ' << v;
+      }
+    }
+  }
+}
+
+TEST_F(CloudValidation, refusesWhatIsNoOrganizedCloud) {
+  const std::vector<std::pair<Refusal, std::function<void()>>> bad = {
+      {Refusal::kEmptyImage, [&] { cloud_.width = 0; }},
+      {Refusal::kEmptyImage, [&] { cloud_.height = 0; }},
+      {Refusal::kUnorganized,
+       [&] {
+         cloud_.width = kWidth * kHeight;
+         cloud_.height = 1;
+         cloud_.row_step = cloud_.width * cloud_.point_step;
+       }},
+      {Refusal::kTooLarge, [&] { cloud_.width = cloud_.height = 0xFFFFFFFFU; }},
+      {Refusal::kTooLarge, [&] { limits_.max_pixels = kWidth * kHeight - 1; }},
+      {Refusal::kCloudFields, [&] { cloud_.fields.clear(); }},
+      {Refusal::kCloudFields, [&] { cloud_.fields[2].name = "intensity"; }},
+      {Refusal::kCloudFields, [&] { cloud_.fields[0].datatype = sensor_msgs::PointField::FLOAT64; }},
+      {Refusal::kCloudFields, [&] { cloud_.fields[1].offset = cloud_.point_step - 3; }},
+      {Refusal::kCloudFields, [&] { cloud_.fields[1].offset = 0xFFFFFFFFU; }},
+      {Refusal::kCloudFields, [&] { cloud_.point_step = 0; }},
+      {Refusal::kBadStep, [&] { cloud_.row_step = kWidth * cloud_.point_step - 1; }},
+      {Refusal::kBadStep, [&] { cloud_.point_step = 0xFFFFFFFFU; }},
+      {Refusal::kShortData, [&] { cloud_.data.pop_back(); }},
+      {Refusal::kShortData, [&] { cloud_.data.clear(); }},
+      {Refusal::kShortData, [&] { cloud_.row_step = 0xFFFFFFFFU; }},
+  };
+  const sensor_msgs::PointCloud2 good = cloud_;
+  for (std::size_t i = 0; i < bad.size(); ++i) {
+    SCOPED_TRACE(i);
+    cloud_ = good;
+    limits_ = InputLimits{};
+    bad[i].second();
+    const Validation found = validate();
+    EXPECT_EQ(bad[i].first, found.refusal) << nameOf(found.refusal);
+    EXPECT_TRUE(found.view.empty());
+    EXPECT_FALSE(explain(found.refusal, cloud_).empty());
+  }
+  cloud_ = good;
+  cloud_.data.resize(cloud_.data.size() + 100);
+  limits_ = InputLimits{};
+  EXPECT_TRUE(validate().accepted()) << "more bytes than needed do no harm";
+  EXPECT_NE(std::string::npos, explain(Refusal::kUnorganized, cloud_).find("unorganized"));
+}
+
+TEST_F(CloudValidation, missingAndAbsurdPointsDoNotCount) {
+  const double infinity = std::numeric_limits<double>::infinity();
+  const std::vector<Eigen::Vector3d> holes = {
+      {kNan, kNan, kNan}, {0.0, 0.0, 0.0},   {1.0, 1.0, 0.0},   {1.0, kNan, 1.0},      {1.0, 1.0, infinity},
+      {infinity, 0, 1.0}, {0.0, 0.0, 1e-40}, {1.0, 1.0, 1e-38}, {1.0, 1.0, -infinity}, {3e38, 3e38, 1e-38}};
+  change([&](std::uint32_t u, std::uint32_t v, const Eigen::Vector3d& point) {
+    return (u + v) % 2 == 0 ? holes[(u * 7 + v) % holes.size()] : point;
+  });
+  const Validation found = validate();
+  ASSERT_TRUE(found.accepted()) << nameOf(found.refusal);
+  expectTheCamera(found.camera);
+}
+
+// No plane is in them, but they are no mistake either.
+TEST_F(CloudValidation, takesCloudsWithoutPoints) {
+  change(
+      [](std::uint32_t, std::uint32_t, const Eigen::Vector3d&) { return Eigen::Vector3d(kNan, kNan, kNan); });
+  Validation found = validate();
+  ASSERT_TRUE(found.accepted());
+  EXPECT_TRUE(isUsable(found.camera));
+  change([](std::uint32_t u, std::uint32_t, const Eigen::Vector3d& p) {
+    return u == 5 ? p : Eigen::Vector3d(kNan, kNan, kNan);
+  });
+  found = validate();
+  ASSERT_TRUE(found.accepted());
+  EXPECT_TRUE(isUsable(found.camera));
+}
+
+TEST_F(CloudValidation, refusesCloudsThatNoPinholeCameraSees) {
+  const std::vector<Eigen::Vector3d (*)(const Eigen::Vector3d&)> transforms = {
+      [](const Eigen::Vector3d& p) { return Eigen::Vector3d(p.z(), -p.x(), -p.y()); },  // x ahead, z up
+      [](const Eigen::Vector3d& p) { return Eigen::Vector3d(p.x(), p.y(), -p.z()); },   // behind
+      [](const Eigen::Vector3d& p) { return Eigen::Vector3d(-p.x(), p.y(), p.z()); },   // mirrored
+      [](const Eigen::Vector3d& p) { return Eigen::Vector3d(-p.y(), p.x(), p.z()); },   // turned about z
+      [](const Eigen::Vector3d& p) { return Eigen::Vector3d(p.x(), p.y(), 1.0 + p.z()); },
+      [](const Eigen::Vector3d& p) { return Eigen::Vector3d(p.x(), p.y(), 0.5 * p.z() + 0.2 * p.y()); }};
+  for (std::size_t i = 0; i < transforms.size(); ++i) {
+    // Near things before far ones: where all is about as far away, some of these would look like another
+    // camera.
+    change([&](std::uint32_t u, std::uint32_t v, const Eigen::Vector3d& p) {
+      return transforms[i]((u / 8 + v / 8) % 2 == 0 ? p : (2.0 * p).eval());
+    });
+    EXPECT_EQ(Refusal::kNotPinhole, validate().refusal) << i;
+  }
+  EXPECT_FALSE(explain(Refusal::kNotPinhole, cloud_).empty());
+}
+
+TEST_F(CloudValidation, aLittleDistortionIsSaidAndMuchIsRefused) {
+  const auto distort = [this](double factor) {
+    change([factor](std::uint32_t, std::uint32_t, const Eigen::Vector3d& p) {
+      const double scale = 1.0 + factor * p.head<2>().squaredNorm() / (p.z() * p.z());
+      return Eigen::Vector3d(p.x() * scale, p.y() * scale, p.z());
+    });
+  };
+  distort(0.5);
+  const Validation found = validate();
+  EXPECT_TRUE(found.accepted()) << nameOf(found.refusal);
+  EXPECT_TRUE(found.distorted);
+  distort(3.0);
+  EXPECT_EQ(Refusal::kNotPinhole, validate().refusal);
+}
+
+// The cloud that the segmenter publishes leads to the same planes as the image that it comes from.
+TEST(CloudFrame, isSegmentedAsItsImageIs) {
+  sensor_msgs::Image image = imageOfPlane(320, 240, "32FC1", kNormal, 1.4);
+  const sensor_msgs::Image wall = imageOfPlane(320, 240, "32FC1", Eigen::Vector3d(0.0, 0.0, -1.0), 1.8);
+  std::copy_n(wall.data.begin(), wall.data.size() / 3, image.data.begin());
+  setDepth(image, 100, 100, kNan);
+  CameraFrame of_image;
+  of_image.image = boost::make_shared<sensor_msgs::Image>(image);
+  of_image.info = boost::make_shared<sensor_msgs::CameraInfo>(testInfo(320, 240));
+  FrameSegmenter segmenter;
+  ASSERT_TRUE(segmenter.segment(of_image).accepted());
+  PublishedPlanes published;
+  published.header = segmenter.header();
+  CameraFrame of_cloud;
+  of_cloud.cloud = coloredCloud(segmenter.result(published));
+
+  FrameSegmenter other;
+  ASSERT_TRUE(other.segment(of_cloud).accepted()) << other.explanation(of_cloud);
+  EXPECT_EQ(kCameraFrame, other.header().frame_id);
+  EXPECT_EQ(2U, other.segmentation().planes.size());
+  EXPECT_EQ(segmenter.segmentation().labels, other.segmentation().labels);
+  EXPECT_EQ(segmenter.segmentation().valid_pixels, other.segmentation().valid_pixels);
+  for (std::size_t k = 0; k < 2; ++k) {
+    EXPECT_NEAR(segmenter.segmentation().planes.at(k).d, other.segmentation().planes.at(k).d, 1e-4);
+  }
+}
+
+}  // namespace
+}  // namespace line_plane_segmentation
