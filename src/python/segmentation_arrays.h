@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <pybind11/numpy.h>
+
+#include <vector>
+
+#include "line_plane_segmentation/segmentation.h"
+
+namespace line_plane_segmentation {
+
+/// A plane as Python sees it: with its outline, and independent of the segmentation that it is of.
+struct PythonPlane {
+  SegmentedPlane plane;
+  std::vector<pybind11::array_t<float>> outer_rings;  ///< each n x 3
+  std::vector<pybind11::array_t<float>> holes;
+};
+
+/// What one depth image was cut into, as Python sees it.
+struct PythonSegmentation {
+  pybind11::array_t<std::uint16_t> labels;  ///< height x width
+  std::vector<PythonPlane> planes;
+  std::uint32_t valid_pixels = 0;
+  std::uint32_t assigned_pixels = 0;
+};
+
+/// Copies all of a segmentation.
+PythonSegmentation toPython(const Segmentation& segmentation);
+
+/// An array of one or two dimensions with the numbers of an Eigen vector or matrix.
+template <typename Matrix>
+pybind11::array_t<double> arrayOf(const Matrix& matrix) {
+  constexpr bool is_vector = Matrix::ColsAtCompileTime == 1;
+  const std::vector<pybind11::ssize_t> shape =
+      is_vector ? std::vector<pybind11::ssize_t>{matrix.rows()}
+                : std::vector<pybind11::ssize_t>{matrix.rows(), matrix.cols()};
+  pybind11::array_t<double> array(shape);
+  double* number = array.mutable_data();
+  for (int row = 0; row < matrix.rows(); ++row) {
+    for (int column = 0; column < matrix.cols(); ++column) *number++ = matrix(row, column);
+  }
+  return array;
+}
+
+}  // namespace line_plane_segmentation
