@@ -44,7 +44,7 @@ class ClusterForest {
   const PatchCluster& cluster(int root) const { return clusters_[static_cast<std::size_t>(root)]; }
 
   /// What it costs to merge the clusters of two roots; the largest number there is if they fix no plane.
-  double costOf(int a, int b, PatchCluster& merged) const;
+  double costOf(int a, int b) const;
 
   /// Remembers two patches whose clusters may merge, for mergePairs(limit).
   void addPair(int a, int b, double limit);
@@ -53,11 +53,9 @@ class ClusterForest {
   /// so that what is most alike has grown together before anything doubtful is asked; then forgets the pairs.
   void mergePairs(double limit);
 
-  /// Puts the cluster of root `b` into that of root `a`, which stays as it is known.
-  void attach(int a, int b) { parent_[static_cast<std::size_t>(b)] = a; }
-
-  /// Makes one of the clusters of two roots, as costOf() gave it; `a` is its root.
-  void merge(int a, int b, const PatchCluster& merged);
+  /// Makes one of the clusters of two roots, whose cost is known not to be the largest number; `a` is its
+  /// root.
+  void merge(int a, int b);
 
  private:
   /// Two patches of clusters that may merge.

@@ -48,7 +48,13 @@ struct RegressionMoments {
   double xw = 0.0, yw = 0.0, w = 0.0, ww = 0.0;
   double pixels = 0.0;  ///< unweighted
 
-  RegressionMoments& operator+=(const RegressionMoments& other);
+  // This and fit() are in the header since clusters ask them thousands of times a frame for sums that nobody
+  // keeps.
+  RegressionMoments operator+(const RegressionMoments& o) const {
+    return {xx + o.xx, xy + o.xy, yy + o.yy, x + o.x,   y + o.y,          one + o.one,
+            xw + o.xw, yw + o.yw, w + o.w,   ww + o.ww, pixels + o.pixels};
+  }
+  RegressionMoments& operator+=(const RegressionMoments& other) { return *this = *this + other; }
 
   /// Multiplies the weight of every pixel.
   void scale(double weight);
@@ -60,5 +66,20 @@ struct RegressionMoments {
   /// @return the sum of squared errors, or a negative number if the pixels do not fix a plane
   double fit(InverseDepthPlane& plane) const;
 };
+
+inline double RegressionMoments::fit(InverseDepthPlane& plane) const {
+  if (!(one > 0.0)) return -1.0;
+  const double share = 1.0 / one;
+  const double x_mean = x * share, y_mean = y * share, w_mean = w * share;
+  const double cxx = xx - x * x_mean, cxy = xy - x * y_mean, cyy = yy - y * y_mean;
+  const double cxw = xw - x * w_mean, cyw = yw - y * w_mean, cww = ww - w * w_mean;
+  const double determinant = cxx * cyy - cxy * cxy;
+  if (!(determinant > 1e-9 * cxx * cyy)) return -1.0;
+  const double inverse = 1.0 / determinant;
+  plane.a = (cyy * cxw - cxy * cyw) * inverse;
+  plane.b = (cxx * cyw - cxy * cxw) * inverse;
+  plane.c = w_mean - plane.a * x_mean - plane.b * y_mean;
+  return std::max(0.0, cww - plane.a * cxw - plane.b * cyw);
+}
 
 }  // namespace line_plane_segmentation

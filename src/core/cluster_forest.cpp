@@ -18,26 +18,22 @@ void ClusterForest::add(const SurfacePatch& patch, double share) {
   parent_.push_back(static_cast<int>(parent_.size()));
 }
 
-double ClusterForest::costOf(int a, int b, PatchCluster& merged) const {
+double ClusterForest::costOf(int a, int b) const {
   const PatchCluster &first = cluster(a), &second = cluster(b);
-  merged.moments = first.moments;
-  merged.moments += second.moments;
-  merged.squared_error = merged.moments.fit(merged.plane);
-  if (merged.squared_error < 0.0) return std::numeric_limits<double>::max();
-  merged.patches = first.patches + second.patches;
-  merged.share = first.share + second.share;
-  return (merged.squared_error - first.squared_error - second.squared_error) /
+  InverseDepthPlane plane;
+  const double squared_error = (first.moments + second.moments).fit(plane);
+  if (squared_error < 0.0) return std::numeric_limits<double>::max();
+  return (squared_error - first.squared_error - second.squared_error) /
          std::min(first.moments.pixels, second.moments.pixels);
 }
 
 void ClusterForest::addPair(int a, int b, double limit) {
   const int root_a = find(a), root_b = find(b);
   if (root_a == root_b || cluster(root_a).patches == 0 || cluster(root_b).patches == 0) return;
-  PatchCluster merged;
-  const double cost = costOf(root_a, root_b, merged);
+  const double cost = costOf(root_a, root_b);
   // A pair of single patches may cost more than the clusters that they come to belong to, whose planes are
   // surer.
-  if (cost < 4.0 * limit) pairs_.push_back({cost, a, b, merged.patches});
+  if (cost < 4.0 * limit) pairs_.push_back({cost, a, b, cluster(root_a).patches + cluster(root_b).patches});
 }
 
 // Merges the clusters of a pair if that costs less than the limit.
@@ -47,11 +43,10 @@ bool ClusterForest::mergeIfCheaper(Pair& pair, double limit) {
   if (a == b) return true;
   const int patches = cluster(a).patches + cluster(b).patches;
   if (patches == pair.patches && !(pair.cost < limit)) return false;
-  PatchCluster merged;
-  pair.cost = costOf(a, b, merged);
+  pair.cost = costOf(a, b);
   pair.patches = patches;
   if (!(pair.cost < limit)) return false;
-  merge(a, b, merged);
+  merge(a, b);
   return true;
 }
 
@@ -66,8 +61,13 @@ void ClusterForest::mergePairs(double limit) {
   pairs_.clear();
 }
 
-void ClusterForest::merge(int a, int b, const PatchCluster& merged) {
-  clusters_[static_cast<std::size_t>(a)] = merged;
+void ClusterForest::merge(int a, int b) {
+  PatchCluster& merged = clusters_[static_cast<std::size_t>(a)];
+  const PatchCluster& other = cluster(b);
+  merged.moments += other.moments;
+  merged.squared_error = merged.moments.fit(merged.plane);
+  merged.patches += other.patches;
+  merged.share += other.share;
   parent_[static_cast<std::size_t>(b)] = a;
 }
 

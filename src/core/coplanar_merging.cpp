@@ -83,10 +83,9 @@ void CoplanarMerger::merge(const DepthImage& depth, const ViewRays& rays, const 
   if (!(limit > 0.0)) return;
   findRoots(parameters.clusters.min_patches, forest);
   pairs_.clear();
-  PatchCluster merged;
   for (std::size_t i = 0; i < roots_.size(); ++i) {
     for (std::size_t j = i + 1; j < roots_.size(); ++j) {
-      const double cost = forest.costOf(roots_[i], roots_[j], merged);
+      const double cost = forest.costOf(roots_[i], roots_[j]);
       if (cost < limit) pairs_.push_back({cost, roots_[i], roots_[j]});
     }
   }
@@ -96,10 +95,12 @@ void CoplanarMerger::merge(const DepthImage& depth, const ViewRays& rays, const 
   listPatches(forest);
   for (const Pair& pair : pairs_) {
     const int a = forest.find(pair.a), b = forest.find(pair.b);
-    if (a == b || !(forest.costOf(a, b, merged) < limit)) continue;
+    if (a == b || !(forest.costOf(a, b) < limit)) continue;
+    InverseDepthPlane common;
+    (forest.cluster(a).moments + forest.cluster(b).moments).fit(common);
     const int from = nearestPatch(levels, a, b), to = nearestPatch(levels, b, from);
-    if (!isOccludedBetween(from, to, merged.plane, depth, rays, levels, parameters)) continue;
-    forest.merge(a, b, merged);
+    if (!isOccludedBetween(from, to, common, depth, rays, levels, parameters)) continue;
+    forest.merge(a, b);
     next_[static_cast<std::size_t>(last_[static_cast<std::size_t>(a)])] = first_[static_cast<std::size_t>(b)];
     last_[static_cast<std::size_t>(a)] = last_[static_cast<std::size_t>(b)];
   }
