@@ -70,7 +70,7 @@ struct ExtractionParameters {
                                  ///< that swallow their neighbours
   double neighbor_distance =
       0.03;  ///< [m] between neighbours of one plane, delta_n. Higher -> bridges gaps and steps
-  double distance_noise_factor = 4.0;  ///< [-] method adaptive: both distances are at least so many sigma_z
+  double distance_noise_factor = 3.8;  ///< [-] method adaptive: both distances are at least so many sigma_z
                                        ///< (Eq. 5). Higher -> far planes stay whole
   int min_plane_inliers =
       0;  ///< [px] smallest plane, N; paper: 5000 (VGA), 1000 (QVGA). Higher -> only large planes

@@ -26,9 +26,10 @@ constexpr double kJoinCost = 0.5;  // of merge_cost
 constexpr double kNarrowFine = 1.5;
 
 // A cluster is curved if a quadratic surface leaves less than so much of its deviations from the plane.
-constexpr double kBentRest = 0.3;
+constexpr double kBentRest = 0.25;
 constexpr int kMinBendPoints = 8;
-constexpr double kBendUnit = 0.01;  // [1/px] keeps fourth powers near 1
+constexpr double kMaxBentShare = 0.05;  // of the picture; what fills more of it may be bent by the sensor
+constexpr double kBendUnit = 0.01;      // [1/px] keeps fourth powers near 1
 
 // Whether a cluster is large and flat enough.
 bool isPlane(const PatchCluster& cluster, const ClusterParameters& parameters) {
@@ -135,7 +136,7 @@ void PatchClusterer::dropBent(const PatchLevels& levels, double max_bend, std::v
     const int cluster = cluster_of[static_cast<std::size_t>(i)];
     if (cluster < 0) continue;
     const std::size_t k = static_cast<std::size_t>(cluster);
-    if (clusters[k].share > kDistortedShare) continue;
+    if (clusters[k].share > kMaxBentShare) continue;
     bends_[k].add(kBendUnit * levels.u(i), kBendUnit * levels.v(i),
                   deviationOf(levels.patch(i).moments, clusters[k].plane));
   }
