@@ -18,8 +18,8 @@ constexpr double kDistortedShare = 0.02;
 constexpr double kOutlierFactor = 2.7;
 constexpr double kNeverOutlier = 0.5;  // in tolerances squared
 
-// Fine patches join the planes that are there at less cost than they join each other, so that what runs along
-// the rim of a plane becomes neither part of it nor a plane of its own.
+// Fine patches first join the clusters that are there, if that costs no more than this: beside a plane they
+// would else make a rim of their own. Only then are they asked whether they are like each other.
 constexpr double kJoinCost = 0.5;  // of merge_cost
 
 // So many times as many fine patches as coarse ones are found on narrow surfaces only.
