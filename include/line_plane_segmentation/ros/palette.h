@@ -14,7 +14,7 @@ struct Color {
 };
 
 /// The colour of the plane with this id (from 1), the same everywhere and always: twenty that are told
-/// apart easily, then the same again.
+/// apart easily, then twenty darker and twenty lighter ones, then the same again.
 inline Color colorOf(std::uint32_t id) {
   constexpr std::size_t kColorCount = 20;
   constexpr std::array<Color, kColorCount> kColors = {{
@@ -23,7 +23,15 @@ inline Color colorOf(std::uint32_t id) {
       {210, 220, 120}, {160, 60, 90},  {135, 206, 235}, {255, 127, 80}, {20, 140, 90},
       {200, 140, 200}, {140, 90, 40},  {130, 230, 170}, {65, 105, 225}, {240, 130, 130},
   }};
-  return kColors[(id + kColorCount - 1) % kColorCount];
+  constexpr std::size_t kShadeCount = 3;
+  const std::size_t index = (id + kColorCount * kShadeCount - 1) % (kColorCount * kShadeCount);
+  Color color = kColors[index % kColorCount];
+  const std::size_t shade = index / kColorCount;
+  for (std::uint8_t* channel : {&color.r, &color.g, &color.b}) {
+    if (shade == 1) *channel = static_cast<std::uint8_t>(*channel / 2);
+    if (shade == 2) *channel = static_cast<std::uint8_t>((*channel + 255) / 2);
+  }
+  return color;
 }
 
 }  // namespace line_plane_segmentation
