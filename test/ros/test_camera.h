@@ -33,9 +33,14 @@ inline void spinFor(double seconds) {
 /// Publishes what a test makes of a depth camera's topics.
 class TestCamera {
  public:
-  TestCamera()
-      : image_publisher_(nh_.advertise<sensor_msgs::Image>("depth/image_rect", 10)),
+  /// @param name_space  of its topics
+  explicit TestCamera(const std::string& name_space = "")
+      : nh_(name_space),
+        image_publisher_(nh_.advertise<sensor_msgs::Image>(
+            "depth/image_rect", 10, [this](const ros::SingleSubscriberPublisher&) { ++arrivals_; })),
         info_publisher_(nh_.advertise<sensor_msgs::CameraInfo>("depth/camera_info", 10)) {}
+  TestCamera(const TestCamera&) = delete;
+  TestCamera& operator=(const TestCamera&) = delete;
 
   /// Publishes both under one stamp.
   void publish(sensor_msgs::Image image, sensor_msgs::CameraInfo info, const ros::Time& stamp) {
@@ -53,11 +58,15 @@ class TestCamera {
   unsigned imageSubscribers() const { return image_publisher_.getNumSubscribers(); }
   unsigned infoSubscribers() const { return info_publisher_.getNumSubscribers(); }
 
+  /// How often somebody subscribed to the image.
+  int arrivals() const { return arrivals_; }
+
   bool waitForSubscriber() const {
     return waitUntil([this] { return imageSubscribers() == 1 && infoSubscribers() == 1; });
   }
 
  private:
+  int arrivals_ = 0;
   ros::NodeHandle nh_;
   ros::Publisher image_publisher_;
   ros::Publisher info_publisher_;

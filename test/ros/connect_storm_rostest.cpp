@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Row 32: subscribers come and go a hundred times a second while images come, on each output in turn and on
+// all at once. Whenever that ends, the segmenter is in the state that those who are left want.
+#include <gtest/gtest.h>
+#include <line_plane_segmentation/PlaneArray.h>
+#include <topic_tools/shape_shifter.h>
+
+#include <deque>
+#include <string>
+
+#include "test_camera.h"
+
+namespace line_plane_segmentation {
+namespace {
+
+using Anything = Inbox<topic_tools::ShapeShifter>;
+
+class ConnectStorm : public testing::Test {
+ protected:
+  void SetUp() override {
+    ASSERT_TRUE(ros::service::waitForService("plane_segmenter/set_parameters", 15000));
+  }
+
+  void publishNext() { camera_.publish(image_, info_, ros::Time(seconds_ += 0.1)); }
+
+  // Ten subscribers of this output come and go within 100 ms, most of them before their connection stands.
+  // One stays about as long as that takes with all that follows from it, which is some 0.4 s here.
+  void storm(const std::string& output, double stay) {
+    std::deque<Anything> subscribers;
+    for (int i = 0; i < 10; ++i) {
+      subscribers.emplace_back("plane_segmenter/" + output);
+      if (subscribers.size() > 3) subscribers.pop_front();
+      publishNext();
+      spinFor(0.01);
+    }
+    spinFor(stay);
+  }
+
+  bool waitForIdle() {
+    return waitUntil([this] { return camera_.imageSubscribers() == 0 && camera_.infoSubscribers() == 0; });
+  }
+
+  TestCamera camera_;
+  sensor_msgs::Image image_ = imageOfPlane(320, 240, "16UC1", Eigen::Vector3d(0.0, 0.0, -1.0), 1.5);
+  sensor_msgs::CameraInfo info_ = testInfo(320, 240);
+  double seconds_ = 1000.0;
+};
+
+TEST_F(ConnectStorm, endsInTheStateThatIsWanted) {
+  double stay = 0.25;  // [s]
+  for (int round = 0; round < 2; ++round) {
+    const int arrivals = camera_.arrivals();
+    for (const char* output : {"planes", "labels", "cloud", "overlay", "markers", "scanlines"}) {
+      storm(output, stay);
+      stay += 0.02;
+    }
+    EXPECT_TRUE(waitForIdle());
+    EXPECT_GT(camera_.arrivals(), arrivals) << "not one of them was noticed";
+
+    const Inbox<PlaneArray> planes("plane_segmenter/planes");
+    EXPECT_TRUE(camera_.waitForSubscriber());
+    publishNext();
+    EXPECT_TRUE(planes.waitFor(ros::Time(seconds_)));
+    EXPECT_EQ(1U, planes.newest()->planes.size());
+  }
+}
+
+}  // namespace
+}  // namespace line_plane_segmentation
+
+int main(int argc, char** argv) {
+  testing::InitGoogleTest(&argc, argv);
+  ros::init(argc, argv, "connect_storm_rostest");
+  const ros::NodeHandle keeps_ros_running;
+  return RUN_ALL_TESTS();
+}

@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Row 33: images come three times as fast as they can be processed, which a dense grid of scanlines makes
+// slow. The newest are, the others are dropped and counted; no answer gets old, no memory is used up, and
+// afterwards all is as before.
+#include <gtest/gtest.h>
+#include <line_plane_segmentation/PlaneArray.h>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "test_camera.h"
+#include "test_process.h"
+#include "test_reports.h"
+
+namespace line_plane_segmentation {
+namespace {
+
+using diagnostic_msgs::DiagnosticStatus;
+
+constexpr int kQueueSize = 40;  // as in overload.test
+
+double median(std::vector<double> values) {
+  std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2),
+                   values.end());
+  return values[values.size() / 2];
+}
+
+class Overload : public testing::Test {
+ protected:
+  void SetUp() override { ASSERT_TRUE(camera_.waitForSubscriber()); }
+
+  static double now() { return ros::SteadyTime::now().toSec(); }
+
+  // An image's stamp tells when it was sent.
+  ros::Time publishNow() {
+    const ros::Time stamp(now());
+    camera_.publish(image_, info_, stamp);
+    return stamp;
+  }
+
+  void take(const PlaneArray& answer) {
+    const double time = now();
+    stamps_.push_back(answer.header.stamp);
+    ages_.push_back(time - answer.header.stamp.toSec());
+    processing_times_.push_back(1e-3 * answer.processing_time);
+  }
+
+  void forgetAnswers() {
+    stamps_.clear();
+    ages_.clear();
+    processing_times_.clear();
+  }
+
+  void publishOneAfterAnother() {
+    for (int i = 0; i < 15; ++i) {
+      const ros::Time stamp = publishNow();
+      EXPECT_TRUE(waitUntil([&] { return !stamps_.empty() && stamps_.back() == stamp; }));
+    }
+  }
+
+  TestCamera camera_;
+  Diagnostics diagnostics_;
+  sensor_msgs::Image image_ =
+      imageOfPlane(320, 240, "16UC1", Eigen::Vector3d(0.2, -0.4, -1.0).normalized(), 1.4);
+  sensor_msgs::CameraInfo info_ = testInfo(320, 240);
+  std::vector<ros::Time> stamps_;
+  std::vector<double> ages_;              // [s] of answers
+  std::vector<double> processing_times_;  // [s]
+  ros::NodeHandle nh_;
+  ros::Subscriber planes_ = nh_.subscribe<PlaneArray>(
+      "plane_segmenter/planes", 1000, [this](const PlaneArray::ConstPtr& answer) { take(*answer); });
+};
+
+TEST_F(Overload, newestFirstAndTheRestCounted) {
+  ASSERT_TRUE(waitUntil([this] {
+    publishNow();
+    spinFor(0.1);
+    return !stamps_.empty();
+  }));
+  const int process = processThatPublishes("/plane_segmenter/planes");
+  publishOneAfterAnother();
+  const double pause = median(processing_times_) / 3.0;
+
+  const auto publishFor = [&](double seconds) {
+    const double end = now() + seconds;
+    int published = 0;
+    for (double next = now(); next < end; next += pause, ++published) {
+      publishNow();
+      spinFor(next + pause - now());
+    }
+    return published;
+  };
+  publishFor(1.5);
+  constexpr double kSeconds = 3.0;
+  const double memory = residentMegabytes(process);
+  forgetAnswers();
+  const int published = publishFor(kSeconds);
+
+  ASSERT_GT(stamps_.size(), 10U);
+  EXPECT_LT(static_cast<int>(stamps_.size()), published * 3 / 4) << "that was no overload";
+  EXPECT_TRUE(std::is_sorted(stamps_.begin(), stamps_.end()));
+  const double interval = kSeconds / static_cast<double>(stamps_.size());
+  RecordProperty("interval_ms", static_cast<int>(1e3 * interval));
+  RecordProperty("age_ms", static_cast<int>(1e3 * median(ages_)));
+  // Some wait in sockets, by far not as many as the segmenter's queue would hold.
+  EXPECT_LT(median(ages_), 0.5 * kQueueSize * interval);
+  EXPECT_GT(memory, 10.0);
+  EXPECT_LT(residentMegabytes(process), memory + 20.0);
+
+  EXPECT_TRUE(diagnostics_.waitForStatus(DiagnosticStatus::OK, "segmenting"));
+  const std::string dropped = diagnostics_.value("frames dropped");
+  EXPECT_GT(std::stoi(dropped), 10);
+  publishOneAfterAnother();
+  EXPECT_TRUE(diagnostics_.waitForReport());
+  EXPECT_EQ(dropped, diagnostics_.value("frames dropped")) << "it still drops";
+}
+
+}  // namespace
+}  // namespace line_plane_segmentation
+
+int main(int argc, char** argv) {
+  testing::InitGoogleTest(&argc, argv);
+  ros::init(argc, argv, "overload_rostest");
+  const ros::NodeHandle keeps_ros_running;
+  return RUN_ALL_TESTS();
+}

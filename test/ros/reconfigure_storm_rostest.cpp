@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Rows 30 and 31: reconfigured as often as it can while it works, also with nonsense. Each frame sees one
+// consistent set of parameters, and none waits.
+#include <dynamic_reconfigure/Reconfigure.h>
+#include <gtest/gtest.h>
+#include <line_plane_segmentation/PlaneArray.h>
+#include <line_plane_segmentation/PlaneSegmenterConfig.h>
+
+#include <atomic>
+#include <cmath>
+#include <limits>
+#include <set>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "test_camera.h"
+
+namespace line_plane_segmentation {
+namespace {
+
+constexpr std::uint32_t kWidth = 320;
+constexpr std::uint32_t kHeight = 240;
+constexpr double kBetween = 2.0;  // [m] beyond the near wall, before the far one
+constexpr double kFar = 10.0;     // [m]
+
+using Range = std::vector<double>;  // min_range and max_range [m]
+
+// The left quarter of the picture shows a wall at 1 m, the rest one at 3 m.
+sensor_msgs::Image twoWalls() {
+  sensor_msgs::Image image = testImage(kWidth, kHeight, "16UC1");
+  for (std::uint32_t v = 0; v < kHeight; ++v) {
+    for (std::uint32_t u = 0; u < kWidth; ++u) setDepth(image, u, v, u < kWidth / 4 ? 1.0 : 3.0);
+  }
+  return image;
+}
+
+constexpr std::uint32_t kPixelsOfNearWall = kWidth * kHeight / 4;
+constexpr std::uint32_t kPixelsOfFarWall = kWidth * kHeight - kPixelsOfNearWall;
+
+// Another program's, with a thread of its own.
+class Storm {
+ public:
+  Storm() : thread_([this] { run(); }) {}
+  ~Storm() { stop(); }
+  Storm(const Storm&) = delete;
+  Storm& operator=(const Storm&) = delete;
+
+  // @return how many requests were answered
+  int stop() {
+    stop_ = true;
+    if (thread_.joinable()) thread_.join();
+    return answered_;
+  }
+
+ private:
+  void run() {
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    const std::vector<Range> ranges = {{0.3, kBetween}, {kBetween, kFar}, {nan, nan}};
+    ros::NodeHandle nh;
+    ros::ServiceClient client =
+        nh.serviceClient<dynamic_reconfigure::Reconfigure>("plane_segmenter/set_parameters", true);
+    for (std::size_t i = 0; !stop_; ++i) {
+      const auto next = ros::SteadyTime::now() + ros::WallDuration(0.005);
+      request(client, ranges[i % ranges.size()]);
+      const ros::WallDuration rest = next - ros::SteadyTime::now();
+      if (rest > ros::WallDuration(0.0)) rest.sleep();
+    }
+  }
+
+  void request(ros::ServiceClient& client, const Range& range) {
+    dynamic_reconfigure::Reconfigure call;
+    call.request.config.doubles.resize(2);
+    call.request.config.doubles[0].name = "min_range";
+    call.request.config.doubles[0].value = range[0];
+    call.request.config.doubles[1].name = "max_range";
+    call.request.config.doubles[1].value = range[1];
+    ASSERT_TRUE(client.call(call));
+    for (const auto& value : call.response.config.doubles)
+      EXPECT_TRUE(std::isfinite(value.value)) << value.name;
+    ++answered_;
+  }
+
+  std::atomic<bool> stop_{false};
+  int answered_ = 0;
+  std::thread thread_;
+};
+
+TEST(ReconfigureStorm, leavesEachFrameOneSetOfParametersAndWaitsForNone) {
+  constexpr int kFrames = 120;
+  TestCamera camera;
+  std::vector<std::uint32_t> valid_pixels;
+  ros::NodeHandle nh;
+  const ros::Subscriber planes =
+      nh.subscribe<PlaneArray>("plane_segmenter/planes", 1000, [&](const PlaneArray::ConstPtr& answer) {
+        EXPECT_EQ(1U, answer->planes.size());
+        valid_pixels.push_back(answer->valid_pixels);
+      });
+  ASSERT_TRUE(camera.waitForSubscriber());
+  const sensor_msgs::Image image = twoWalls();
+  const sensor_msgs::CameraInfo info = testInfo(kWidth, kHeight);
+
+  Storm storm;
+  spinFor(0.5);
+  for (int frame = 0; frame < kFrames; ++frame) {
+    camera.publish(image, info, ros::Time(1000.0 + 0.1 * frame));
+    spinFor(1.0 / 30.0);
+  }
+  EXPECT_TRUE(waitUntil([&] { return valid_pixels.size() == kFrames; })) << valid_pixels.size();
+  const int requests = storm.stop();
+  RecordProperty("requests", requests);
+  EXPECT_GT(requests, kFrames);
+  EXPECT_EQ((std::set<std::uint32_t>{kPixelsOfNearWall, kPixelsOfFarWall}),
+            std::set<std::uint32_t>(valid_pixels.begin(), valid_pixels.end()));
+}
+
+}  // namespace
+}  // namespace line_plane_segmentation
+
+int main(int argc, char** argv) {
+  testing::InitGoogleTest(&argc, argv);
+  ros::init(argc, argv, "reconfigure_storm_rostest");
+  const ros::NodeHandle keeps_ros_running;
+  return RUN_ALL_TESTS();
+}
