@@ -3,9 +3,8 @@
 #include <gtest/gtest.h>
 #include <line_plane_segmentation/PlaneArray.h>
 #include <nodelet/NodeletList.h>
-#include <nodelet/NodeletLoad.h>
-#include <nodelet/NodeletUnload.h>
 
+#include "nodelet_calls.h"
 #include "test_camera.h"
 
 namespace line_plane_segmentation {
@@ -14,19 +13,6 @@ namespace {
 class Reload : public testing::Test {
  protected:
   void SetUp() override { ASSERT_TRUE(ros::service::waitForService("manager/load_nodelet", 15000)); }
-
-  static bool load() {
-    nodelet::NodeletLoad call;
-    call.request.name = "/plane_segmenter";
-    call.request.type = "line_plane_segmentation/plane_segmenter";
-    return ros::service::call("manager/load_nodelet", call) && call.response.success;
-  }
-
-  static bool unload() {
-    nodelet::NodeletUnload call;
-    call.request.name = "/plane_segmenter";
-    return ros::service::call("manager/unload_nodelet", call) && call.response.success;
-  }
 
   void publishNext() { camera_.publish(image_, info_, ros::Time(seconds_ += 1.0 / 30.0)); }
 
@@ -49,12 +35,12 @@ class Reload : public testing::Test {
 
 TEST_F(Reload, worksEachTimeAndLeavesNothingBehind) {
   for (int round = 0; round < 50; ++round) {
-    ASSERT_TRUE(load()) << round;
+    ASSERT_TRUE(loadSegmenter("/plane_segmenter")) << round;
     ASSERT_TRUE(publishUntilAnswered()) << round;
     // Into the midst of a frame, at another point each time.
     for (int burst = 0; burst < 5; ++burst) publishNext();
     ros::WallDuration(0.001 * (round % 10)).sleep();
-    ASSERT_TRUE(unload()) << round;
+    ASSERT_TRUE(unloadSegmenter("/plane_segmenter")) << round;
   }
   EXPECT_TRUE(waitUntil([this] { return camera_.imageSubscribers() == 0; }));
   nodelet::NodeletList list;

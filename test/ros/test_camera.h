@@ -42,17 +42,20 @@ class TestCamera {
   TestCamera(const TestCamera&) = delete;
   TestCamera& operator=(const TestCamera&) = delete;
 
-  /// Publishes both under one stamp.
-  void publish(sensor_msgs::Image image, sensor_msgs::CameraInfo info, const ros::Time& stamp) {
-    image.header.stamp = info.header.stamp = stamp;
-    image_publisher_.publish(image);
-    info_publisher_.publish(info);
-  }
-
-  /// Publishes an image whose camera_info never comes.
   void publishImage(sensor_msgs::Image image, const ros::Time& stamp) {
     image.header.stamp = stamp;
     image_publisher_.publish(image);
+  }
+
+  void publishInfo(sensor_msgs::CameraInfo info, const ros::Time& stamp) {
+    info.header.stamp = stamp;
+    info_publisher_.publish(info);
+  }
+
+  /// Publishes both under one stamp.
+  void publish(const sensor_msgs::Image& image, const sensor_msgs::CameraInfo& info, const ros::Time& stamp) {
+    publishImage(image, stamp);
+    publishInfo(info, stamp);
   }
 
   unsigned imageSubscribers() const { return image_publisher_.getNumSubscribers(); }
