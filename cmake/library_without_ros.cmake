@@ -1,0 +1,30 @@
+# SPDX-License-Identifier: BSD-3-Clause
+# The core and its headers for projects that know nothing of ROS:
+#   find_package(line_plane_segmentation REQUIRED)
+#   target_link_libraries(... line_plane_segmentation::core)
+include(CMakePackageConfigHelpers)
+include(GNUInstallDirs)
+
+add_subdirectory(src/core)
+set_target_properties(line_plane_segmentation_core PROPERTIES EXPORT_NAME core)
+target_compile_features(line_plane_segmentation_core PUBLIC cxx_std_17)
+
+set(config_folder ${CMAKE_INSTALL_LIBDIR}/cmake/line_plane_segmentation)
+install(TARGETS line_plane_segmentation_core EXPORT line_plane_segmentation
+  ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}
+  LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}
+  RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+install(EXPORT line_plane_segmentation DESTINATION ${config_folder}
+  NAMESPACE line_plane_segmentation:: FILE line_plane_segmentationTargets.cmake)
+# The simulated camera is a library of its own, which is not built here.
+install(DIRECTORY include/line_plane_segmentation/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/line_plane_segmentation
+  PATTERN simulation EXCLUDE)
+
+configure_package_config_file(cmake/line_plane_segmentationConfig.cmake.in
+  ${CMAKE_CURRENT_BINARY_DIR}/line_plane_segmentationConfig.cmake INSTALL_DESTINATION ${config_folder})
+write_basic_package_version_file(${CMAKE_CURRENT_BINARY_DIR}/line_plane_segmentationConfigVersion.cmake
+  COMPATIBILITY SameMinorVersion)
+install(FILES
+  ${CMAKE_CURRENT_BINARY_DIR}/line_plane_segmentationConfig.cmake
+  ${CMAKE_CURRENT_BINARY_DIR}/line_plane_segmentationConfigVersion.cmake
+  DESTINATION ${config_folder})
