@@ -19,8 +19,8 @@ namespace {
 
 using visualization_msgs::Marker;
 
-// A wall at 2 m, 8x4 pixels: the left half is plane 1, the next quarter plane 2, the rest none; one pixel
-// of each has no depth, by NaN and by 0.
+// A wall at 2 m, 8x4 pixels; two pixels have no depth, by NaN and by 0. With planes, the left half is plane
+// 1, the next quarter plane 2, the rest none.
 class Conversions : public testing::Test {
  protected:
   static constexpr int kWidth = 8;
@@ -34,15 +34,15 @@ class Conversions : public testing::Test {
     segmentation_.width = kWidth;
     segmentation_.height = kHeight;
     segmentation_.labels.resize(kWidth * kHeight);
+    segmentation_.valid_pixels = 30;
+  }
+
+  void addPlanes() {
     for (std::size_t i = 0; i < segmentation_.labels.size(); ++i) {
       const std::size_t u = i % kWidth;
       segmentation_.labels[i] = u < 4 ? 1 : u < 6 ? 2 : 0;
     }
     segmentation_.labels[0] = 0;
-    segmentation_.valid_pixels = 30;
-  }
-
-  void addPlanes() {
     addRing(0.0F);
     addRing(1.0F);
     addRing(2.0F);
@@ -91,7 +91,7 @@ class Conversions : public testing::Test {
   DepthRange range_{0.3F, 10.0F};
   CameraIntrinsics camera_ = testCamera(kWidth, kHeight);
   Segmentation segmentation_;
-  std::vector<std::uint32_t> ids_{1, 2};
+  std::vector<std::uint32_t> ids_ = {1, 2};
   std::optional<Eigen::Vector3d> up_;
   OrientationParameters orientation_;
   PublishedPlanes published_;
@@ -135,7 +135,6 @@ TEST_F(Conversions, planesTellAll) {
 }
 
 TEST_F(Conversions, noPlanesIsAMessageToo) {
-  segmentation_.labels.assign(segmentation_.labels.size(), 0);
   const PlaneArray::ConstPtr message = planesMessage(frame());
   expectHeader(message->header);
   EXPECT_TRUE(message->planes.empty());
