@@ -17,9 +17,7 @@ using diagnostic_msgs::DiagnosticStatus;
 // A segmenter and its camera in a namespace of their own.
 struct Side {
   explicit Side(const std::string& name)
-      : camera(name),
-        planes(name + "/plane_segmenter/planes"),
-        diagnostics(name + "/plane_segmenter") {}
+      : camera(name), planes(name + "/plane_segmenter/planes"), diagnostics(name + "/plane_segmenter") {}
 
   TestCamera camera;
   Inbox<PlaneArray> planes;
