@@ -3,6 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
 namespace line_plane_segmentation {
 namespace {
 
@@ -15,6 +20,7 @@ class Recorder : public Engine {
     log_ += name_ + frame_ + ' ';
     return 7;
   }
+  std::vector<std::uint16_t> labels() override { return {}; }
 
  private:
   char name_;
