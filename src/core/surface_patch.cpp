@@ -159,7 +159,8 @@ void PatchDetector::refine(const DepthImage& depth, const ViewRays& rays, const 
   fine.patches.clear();
   fine.cells.clear();
   fine.patch_at.assign(static_cast<std::size_t>(fine.columns) * static_cast<std::size_t>(fine.rows), -1);
-  if (fine.spacing >= coarse.spacing) return;
+  // An image smaller than a tile has no coarse patch that could ask for more.
+  if (fine.spacing >= coarse.spacing || coarse.patches.empty()) return;
 
   const int half_window =
       std::max(kMinHalfWindow, parameters.lines.line_window * fine.spacing / coarse.spacing / 2);

@@ -212,6 +212,10 @@ TEST(PatchDetector, RefinesNothingThatIsExplainedOrThatNobodyWants) {
   EXPECT_EQ(levels.fine.patchAt(0), -1);
   EXPECT_TRUE(refineAll(blankDepth(320, 240), adaptiveParameters(320)).fine.patches.empty());
   EXPECT_EQ(refineAll(blankDepth(0, 0), adaptiveParameters(320)).count(), 0);
+  for (const int size : {1, 2, 3, 4}) {
+    EXPECT_EQ(refineAll(blankDepth(size, 240), adaptiveParameters(320)).count(), 0) << size;
+    EXPECT_EQ(refineAll(blankDepth(320, size), adaptiveParameters(320)).count(), 0) << size;
+  }
 }
 
 TEST(PatchGrid, FindsTheTileOfAPixel) {

@@ -11,6 +11,8 @@ scratch=$4
 
 rm -rf "$prefix" "$scratch"
 mkdir -p "$scratch"
+# What stays in the build folder lies within the package, where roslaunch would find two of each launch file.
+trap 'rm -rf "$prefix"' EXIT
 # An environment that knows nothing of the build's devel space. On Ubuntu the installed set-up file brings ROS's.
 clean=(env -i HOME="$HOME" PATH=/usr/bin:/bin ROS_HOME="$scratch/ros_home")
 "${clean[@]}" cmake --install "$build" >"$scratch/install.log" ||
