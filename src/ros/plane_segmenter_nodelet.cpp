@@ -95,10 +95,7 @@ void PlaneSegmenterNodelet::start() {
   } else {
     subscription_ = std::make_unique<CameraSubscription>(nh, private_nh, queue_size, push);
   }
-  // The server writes each parameter to the master on its own: frames would wait for that, behind a slow
-  // network for long.
-  reconfigure_server_ =
-      std::make_unique<dynamic_reconfigure::Server<PlaneSegmenterConfig>>(getMTPrivateNodeHandle());
+  reconfigure_server_ = std::make_unique<dynamic_reconfigure::Server<PlaneSegmenterConfig>>(private_nh);
   reconfigure_server_->setCallback([this](PlaneSegmenterConfig& config, std::uint32_t) {
     containExceptions(getName(), [&] { reconfigure(config); });
   });
@@ -115,18 +112,9 @@ void PlaneSegmenterNodelet::stop() {
 void PlaneSegmenterNodelet::reconfigure(PlaneSegmenterConfig& config) {
   std::vector<std::string> changes;
   parameters_ = reconfigured(parameters_, config, changes);
-  tell(changes);
+  for (const std::string& change : changes) ROS_WARN("[%s] %s", getName().c_str(), change.c_str());
   processor_->setParameters(parameters_);
   transforms_->setNeeded(parameters_.location.frames.any());
-}
-
-// Whoever asks gets them in the answer, too: the log need not have all of a storm.
-void PlaneSegmenterNodelet::tell(const std::vector<std::string>& changes) {
-  constexpr std::chrono::seconds kPause(1);
-  const auto now = std::chrono::steady_clock::now();
-  if (changes.empty() || now - told_changes_ < kPause) return;
-  told_changes_ = now;
-  for (const std::string& change : changes) ROS_WARN("[%s] %s", getName().c_str(), change.c_str());
 }
 
 void PlaneSegmenterNodelet::updateSubscription() {

@@ -6,12 +6,10 @@
 #include <line_plane_segmentation/PlaneSegmenterConfig.h>
 #include <nodelet/nodelet.h>
 
-#include <chrono>
 #include <cstdint>
 #include <memory>
 #include <mutex>
 #include <string>
-#include <vector>
 
 #include "frame_processor.h"
 #include "input_source.h"
@@ -23,9 +21,8 @@ namespace line_plane_segmentation {
 
 /// Segments the planes of a depth camera while somebody subscribes to its outputs.
 ///
-/// Segmenting has a thread of its own, reconfiguring the nodelet's multi-threaded queue, where it keeps
-/// nobody waiting. Everything else runs on the single-threaded queue and takes microseconds: pairing images
-/// with camera_info, subscribing and unsubscribing, reporting.
+/// Everything but the segmenting itself runs on the nodelet's single-threaded queue and takes
+/// microseconds: pairing images with camera_info, subscribing and unsubscribing, reconfiguring, reporting.
 class PlaneSegmenterNodelet : public nodelet::Nodelet {
  public:
   ~PlaneSegmenterNodelet() override;
@@ -35,7 +32,6 @@ class PlaneSegmenterNodelet : public nodelet::Nodelet {
   void start();
   void stop();
   void reconfigure(PlaneSegmenterConfig& config);
-  void tell(const std::vector<std::string>& changes);
   void updateSubscription();
   void reportStatus(diagnostic_updater::DiagnosticStatusWrapper& diagnostics);
 
@@ -43,7 +39,6 @@ class PlaneSegmenterNodelet : public nodelet::Nodelet {
   std::mutex connect_mutex_;
   std::string failure_;  // why this does not work; empty if it does
   NodeletParameters parameters_;
-  std::chrono::steady_clock::time_point told_changes_{};
   std::uint64_t reported_dropped_ = 0;
 
   // In this order: each uses those before it.
