@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Nothing is allocated in a warm frame: every call of malloc and its like in this program is counted, whoever
-// makes it.
+// Nothing is allocated in a warm frame, and never much: every call of malloc and its like in this program is
+// counted, whoever makes it.
 #include <gtest/gtest.h>
+#include <malloc.h>
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -24,6 +25,13 @@
 namespace {
 
 std::atomic<long> allocations{0};
+std::atomic<long> live_bytes{0};  // allocated and not freed, with what malloc rounds up
+std::atomic<long> peak_bytes{0};  // the most that they were
+
+void countLive(std::size_t bytes) {
+  live_bytes += static_cast<long>(bytes);
+  if (live_bytes > peak_bytes) peak_bytes = live_bytes.load();
+}
 
 }  // namespace
 
@@ -31,12 +39,29 @@ std::atomic<long> allocations{0};
 // A sanitizer has an allocator of its own, which tells of every call.
 namespace {
 
-void countAllocation(const volatile void*, std::size_t) { ++allocations; }
-void ignoreRelease(const volatile void*) {}
-const int kInstalled = __sanitizer_install_malloc_and_free_hooks(countAllocation, ignoreRelease);
+void countAllocation(const volatile void*, std::size_t size) {
+  ++allocations;
+  countLive(size);
+}
+void countRelease(const volatile void* memory) {
+  live_bytes -= static_cast<long>(__sanitizer_get_allocated_size(memory));
+}
+const int kInstalled = __sanitizer_install_malloc_and_free_hooks(countAllocation, countRelease);
 
 }  // namespace
 #else
+namespace {
+
+void* counted(void* memory) {
+  ++allocations;
+  countLive(malloc_usable_size(memory));
+  return memory;
+}
+
+void countRelease(void* memory) { live_bytes -= static_cast<long>(malloc_usable_size(memory)); }
+
+}  // namespace
+
 // These go before those of the C library, also for the shared libraries; operator new ends here, too.
 extern "C" {
 
@@ -44,22 +69,18 @@ void* __libc_malloc(std::size_t size);
 void* __libc_calloc(std::size_t count, std::size_t size);
 void* __libc_realloc(void* memory, std::size_t size);
 void* __libc_memalign(std::size_t alignment, std::size_t size);
+void __libc_free(void* memory);
 
-void* malloc(std::size_t size) {
-  ++allocations;
-  return __libc_malloc(size);
-}
-void* calloc(std::size_t count, std::size_t size) {
-  ++allocations;
-  return __libc_calloc(count, size);
-}
+void* malloc(std::size_t size) { return counted(__libc_malloc(size)); }
+void* calloc(std::size_t count, std::size_t size) { return counted(__libc_calloc(count, size)); }
 void* realloc(void* memory, std::size_t size) {
-  ++allocations;
-  return __libc_realloc(memory, size);
+  countRelease(memory);
+  return counted(__libc_realloc(memory, size));
 }
-void* memalign(std::size_t alignment, std::size_t size) {
-  ++allocations;
-  return __libc_memalign(alignment, size);
+void* memalign(std::size_t alignment, std::size_t size) { return counted(__libc_memalign(alignment, size)); }
+void free(void* memory) {
+  countRelease(memory);
+  __libc_free(memory);
 }
 void* aligned_alloc(std::size_t alignment, std::size_t size) { return memalign(alignment, size); }
 int posix_memalign(void** memory, std::size_t alignment, std::size_t size) {
@@ -96,6 +117,31 @@ TEST(AllocationCounter, CountsEachWayToAllocate) {
   std::free(memory);
 }
 
+/// The most memory [bytes] that is in use beyond what is now, while the function runs.
+template <typename Function>
+long peakOf(Function&& function) {
+  const long before = live_bytes;
+  peak_bytes = before;
+  function();
+  return peak_bytes - before;
+}
+
+TEST(AllocationCounter, KnowsThePeak) {
+  // Small enough for none to be rounded up to whole pages.
+  const auto kilobytesOf = [](const auto& function) { return (peakOf(function) + 500) / 1024; };
+  std::vector<char> first, second;
+  EXPECT_EQ(peakOf([] {}), 0);
+  EXPECT_EQ(kilobytesOf([&] { first.resize(70 << 10); }), 70);
+  EXPECT_EQ(kilobytesOf([&] {
+              first = std::vector<char>();
+              second.resize(50 << 10);
+              first.resize(40 << 10);
+              second = std::vector<char>();
+            }),
+            20);
+  EXPECT_EQ(kilobytesOf([&] { first.reserve(60 << 10); }), 60) << "both exist while it moves";
+}
+
 /// A sequence of frames, as a moving camera has it: each is another image, and some have more in them than
 /// others.
 std::vector<std::vector<std::uint16_t>> frames(int width, int height) {
@@ -103,6 +149,24 @@ std::vector<std::vector<std::uint16_t>> frames(int width, int height) {
   for (const std::uint64_t seed : {15U, 18U, 20U, 22U, 25U})
     all.push_back(toMillimetres(randomScene(seed, width, height)));
   return all;
+}
+
+/// White noise of so many millimetres about 1.5 m.
+std::vector<std::uint16_t> noise(int millimetres, int width, int height) {
+  Random random(7);
+  std::vector<std::uint16_t> pixels(static_cast<std::size_t>(width * height));
+  for (std::uint16_t& pixel : pixels)
+    pixel = static_cast<std::uint16_t>(1500.0 + random.uniform(-millimetres, millimetres));
+  return pixels;
+}
+
+/// Squares of so many pixels, near and far.
+std::vector<std::uint16_t> checkerboard(int side, int width, int height) {
+  std::vector<std::uint16_t> pixels;
+  for (int v = 0; v < height; ++v) {
+    for (int u = 0; u < width; ++u) pixels.push_back((u / side + v / side) % 2 == 0 ? 1000 : 1500);
+  }
+  return pixels;
 }
 
 class WarmFrame : public testing::TestWithParam<Method> {};
@@ -135,6 +199,29 @@ TEST_P(WarmFrame, AllocatesNothingForASmallerImage) {
   };
   segmentBoth();
   EXPECT_EQ(allocationsOf(segmentBoth), 0);
+}
+
+// Of all that a segmenter ever allocates, also while something grows, with images that need much of one thing
+// or the other: planes, surfaces, borders.
+TEST_P(WarmFrame, NeedsLittleMemory) {
+  const long most = GetParam() == Method::kAdaptive ? 8 << 20 : 10 << 20;
+  std::vector<std::vector<std::uint16_t>> images = frames(640, 480);
+  images.push_back(toMillimetres(blankDepth(640, 480)));
+  images.push_back(toMillimetres(render(surfaceAt(1.5, 0.3, 0.2), kinectCamera(640, 480), 640, 480)));
+  for (const int step : {1, 20, 300}) images.push_back(noise(step, 640, 480));
+  images.push_back(checkerboard(8, 640, 480));
+
+  Parameters parameters;
+  parameters.method = GetParam();
+  std::unique_ptr<PlaneSegmenter> segmenter;
+  const long peak = peakOf([&] {
+    segmenter = std::make_unique<PlaneSegmenter>(parameters);
+    for (const std::vector<std::uint16_t>& pixels : images)
+      segmenter->segment(viewOf(pixels.data(), 640, 480), kinectCamera(640, 480));
+  });
+  RecordProperty("peak_kilobytes", static_cast<int>(peak / 1000));
+  EXPECT_GT(peak, 640 * 480 * 2) << "not even its labels have been counted";
+  EXPECT_LT(peak, most);
 }
 
 // Each image has other planes than the one before, none of which is ever forgotten for its age.
