@@ -5,6 +5,7 @@
 include(CMakePackageConfigHelpers)
 include(GNUInstallDirs)
 
+include(cmake/warnings.cmake)
 add_subdirectory(src/core)
 set_target_properties(line_plane_segmentation_core PROPERTIES EXPORT_NAME core)
 target_compile_features(line_plane_segmentation_core PUBLIC cxx_std_17)

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
-#include "temporary_folder.h"
-#include "tool_process.h"
+#include "tools/temporary_folder.h"
+#include "tools/tool_process.h"
 
 namespace line_plane_segmentation {
 namespace {

@@ -8,7 +8,7 @@
 
 #include "line_plane_segmentation/plane_segmenter.h"
 #include "run_tool.h"
-#include "temporary_folder.h"
+#include "tools/temporary_folder.h"
 
 namespace line_plane_segmentation {
 namespace {

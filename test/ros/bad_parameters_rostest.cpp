@@ -1,26 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Started with parameters that make no sense, the segmenter stays alive, idle, and says what is wrong.
-#include <diagnostic_msgs/DiagnosticArray.h>
 #include <gtest/gtest.h>
 
 #include <string>
+#include <utility>
 
-#include "test_camera.h"
+#include "test_reports.h"
 
 namespace line_plane_segmentation {
 namespace {
 
 TEST(BadParameters, areNamedInTheDiagnostics) {
   const TestCamera camera;
-  const Inbox<diagnostic_msgs::DiagnosticArray> diagnostics("/diagnostics");
-  std::string message;
-  ASSERT_TRUE(waitUntil([&] {
-    if (!diagnostics.newest()) return false;
-    const auto& status = diagnostics.newest()->status.at(0);
-    message = status.message;
-    return status.name == "plane_segmenter: plane segmentation" &&
-           status.level == diagnostic_msgs::DiagnosticStatus::ERROR;
-  }));
+  const Diagnostics diagnostics;
+  ASSERT_TRUE(diagnostics.waitForStatus(diagnostic_msgs::DiagnosticStatus::ERROR, ""));
+  const std::string message = diagnostics.newest().message;
   for (const char* name : {"~plane_distance", "~max_range", "~trace_outlines"}) {
     EXPECT_NE(std::string::npos, message.find(name)) << name << " is not in: " << message;
   }
@@ -29,6 +23,20 @@ TEST(BadParameters, areNamedInTheDiagnostics) {
   const int reports = diagnostics.count();
   EXPECT_TRUE(waitUntil([&] { return diagnostics.count() > reports + 1; })) << "it died";
   EXPECT_EQ(0U, camera.imageSubscribers());
+}
+
+TEST(BadParameters, thoseThatCountOnlyAtTheStartAreNamedToo) {
+  const std::pair<const char*, const char*> cases[] = {
+      {"input_of_no_such_name", "~input must be image or cloud"},
+      {"input_of_wrong_type", "~input must be image or cloud"},
+      {"queue_of_wrong_type", "~queue_size must be a whole number"},
+      {"queue_too_short", "~queue_size must be a whole number"},
+      {"too_many_pixels", "~max_pixels must be a whole number"}};
+  for (const auto& [segmenter, complaint] : cases) {
+    const Diagnostics diagnostics(segmenter);
+    EXPECT_TRUE(diagnostics.waitForStatus(diagnostic_msgs::DiagnosticStatus::ERROR, complaint))
+        << segmenter << ": " << diagnostics.newest().message;
+  }
 }
 
 }  // namespace

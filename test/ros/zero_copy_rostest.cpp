@@ -5,10 +5,29 @@
 #include <line_plane_segmentation/PlaneArray.h>
 #include <nodelet/loader.h>
 #include <sensor_msgs/PointCloud2.h>
+#include <visualization_msgs/MarkerArray.h>
 
 #include <boost/make_shared.hpp>
 
 #include "test_camera.h"
+
+namespace {
+
+// Arrays of markers that came as bytes.
+int deserialized_markers = 0;
+
+}  // namespace
+
+// roscpp calls this before it makes a message of bytes; a message that is passed on as it is has no need of
+// it.
+namespace ros {
+namespace serialization {
+template <>
+struct PreDeserialize<visualization_msgs::MarkerArray> {
+  static void notify(const PreDeserializeParams<visualization_msgs::MarkerArray>&) { ++deserialized_markers; }
+};
+}  // namespace serialization
+}  // namespace ros
 
 namespace line_plane_segmentation {
 namespace {
@@ -32,6 +51,8 @@ class ZeroCopy : public testing::Test {
   Inbox<sensor_msgs::Image> labels_{"plane_segmenter/labels"};
   Inbox<sensor_msgs::Image> overlay_{"plane_segmenter/overlay"};
   Inbox<sensor_msgs::PointCloud2> cloud_{"plane_segmenter/cloud"};
+  Inbox<visualization_msgs::MarkerArray> markers_{"plane_segmenter/markers"};
+  Inbox<visualization_msgs::MarkerArray> scanlines_{"plane_segmenter/scanlines"};
 };
 
 TEST_F(ZeroCopy, readsTheVeryImageAndPassesOnTheVeryResults) {
@@ -63,6 +84,11 @@ TEST_F(ZeroCopy, readsTheVeryImageAndPassesOnTheVeryResults) {
   EXPECT_EQ(kNeverCounted, labels_.newest()->header.seq);
   EXPECT_EQ(kNeverCounted, overlay_.newest()->header.seq);
   EXPECT_EQ(kNeverCounted, cloud_.newest()->header.seq);
+  // Arrays of markers have no count.
+  ASSERT_TRUE(waitUntil([&] { return markers_.count() == 1 && scanlines_.count() == 1; }));
+  EXPECT_FALSE(markers_.newest()->markers.empty());
+  EXPECT_FALSE(scanlines_.newest()->markers.empty());
+  EXPECT_EQ(0, deserialized_markers);
   EXPECT_TRUE(waitUntil([&] { return image.use_count() == 1; })) << "the image is kept for ever";
 }
 

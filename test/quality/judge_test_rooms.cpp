@@ -126,9 +126,9 @@ int main(int argc, char** argv) {
   using namespace line_plane_segmentation;
   if (argc < 2 || argc > 3 || argv[1][0] == '-') {
     std::cerr
-        << "Usage: judge_simulated_rooms DIR [PRESET]\n"
+        << "Usage: judge_test_rooms DIR [PRESET]\n"
            "Writes truth, labels and pictures (left: the truth, right: what was found) of each frame.\n";
     return 1;
   }
-  return runTool("judge_simulated_rooms", [=] { judge(argv[1], argc == 3 ? argv[2] : "kinect"); });
+  return runTool("judge_test_rooms", [=] { judge(argv[1], argc == 3 ? argv[2] : "kinect"); });
 }
