@@ -51,7 +51,8 @@ std::string parameterList() {
     return text.str();
   };
   const Parameters defaults;
-  visitParameters(defaults, [&](const std::string& name, auto value, auto min, auto max) {
+  visitParameters(defaults, [&](const std::string& name, auto value, [[maybe_unused]] auto min,
+                                [[maybe_unused]] auto max) {
     if constexpr (std::is_same_v<decltype(value), Method>) {
       list += parameterLine(name, "adaptive", "or paper");
     } else {

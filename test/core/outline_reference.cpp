@@ -58,7 +58,9 @@ std::vector<Mask> componentsOf(const Mask& mask, std::uint8_t value, bool diagon
       if (mask.at(u, v) != value || done.at(u, v) != 0) continue;
       components.push_back(componentOf(mask, u, v, diagonal, empty));
       for (int y = mask.first(); y <= mask.lastV(); ++y) {
-        for (int x = mask.first(); x <= mask.lastU(); ++x) done.at(x, y) |= components.back().at(x, y);
+        for (int x = mask.first(); x <= mask.lastU(); ++x) {
+          if (components.back().at(x, y) != 0) done.at(x, y) = 1;
+        }
       }
     }
   }

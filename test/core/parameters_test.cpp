@@ -145,7 +145,7 @@ TEST(Sanitize, TellsOfEachChange) {
 TEST(SetParameter, KnowsEveryParameterAndItsBounds) {
   for (const std::string& name : names()) {
     Parameters parameters;
-    changeOne(name, parameters, [&](auto& field, auto min, auto max) {
+    changeOne(name, parameters, [&](auto& field, [[maybe_unused]] auto min, [[maybe_unused]] auto max) {
       using T = std::decay_t<decltype(field)>;
       if constexpr (std::is_arithmetic_v<T> && !std::is_same_v<T, bool>) {
         std::ostringstream low, high;
