@@ -28,12 +28,15 @@ std::string loadAverage() {
 
 }  // namespace
 
+std::string describeProcessor() {
+  return "- " + processorName() + ", " + std::to_string(std::thread::hardware_concurrency()) +
+         " processors at hand; load average at the end " + loadAverage() + '\n';
+}
+
 std::string describeMachine() {
   std::ostringstream text;
-  text << "- " << processorName() << ", " << std::thread::hardware_concurrency()
-       << " processors at hand, one thread used; load average at the end " << loadAverage() << '\n'
-       << "- GCC or Clang `" << __VERSION__ << "`, " << BENCHMARK_BUILD_TYPE << ": `" << BENCHMARK_FLAGS
-       << "` for every method; this method `" << BENCHMARK_CORE_FLAGS << "` besides\n"
+  text << describeProcessor() << "- GCC or Clang `" << __VERSION__ << "`, " << BENCHMARK_BUILD_TYPE << ": `"
+       << BENCHMARK_FLAGS << "` for every method; this method `" << BENCHMARK_CORE_FLAGS << "` besides\n"
        << "- PCL " << BENCHMARK_PCL_VERSION
        << " as the distribution compiled it; `_avx2`: its templates compiled here with `-mavx2 -mfma`\n"
        << "- Eigen " << EIGEN_WORLD_VERSION << '.' << EIGEN_MAJOR_VERSION << '.' << EIGEN_MINOR_VERSION

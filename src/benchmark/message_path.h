@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <line_plane_segmentation/PlaneArray.h>
+#include <nodelet/loader.h>
+#include <ros/callback_queue.h>
+#include <ros/node_handle.h>
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "benchmark_frame.h"
+
+namespace line_plane_segmentation {
+
+/// What became of one frame.
+struct MessageTimes {
+  int planes = 0;
+  double segmenter = 0.0;  ///< [ms] of the segmenter alone
+  double answered = 0.0;   ///< [ms] from publishing the image until the last output was here
+};
+
+/// The segmenter nodelet in this process, the camera that it listens to, and subscribers to its outputs: the
+/// way of a frame in a nodelet manager, where no message is serialised.
+class MessagePath {
+ public:
+  /// @param loader      of nodelets; must outlive this
+  /// @param name_space  where the nodelet and its topics are
+  /// @param outputs     of the nodelet, that are subscribed to; `planes` is one of them
+  MessagePath(nodelet::Loader& loader, const std::string& name_space,
+              const std::vector<std::string>& outputs);
+  MessagePath(const MessagePath&) = delete;
+  MessagePath& operator=(const MessagePath&) = delete;
+
+  /// Publishes the frame until it has been answered by every output, so that all connections stand.
+  /// @throws std::runtime_error if that takes too long
+  void connect(const BenchmarkFrame& frame);
+
+  /// Publishes the frame and waits for every output.
+  /// @throws std::runtime_error if one does not come
+  MessageTimes send(const BenchmarkFrame& frame);
+
+ private:
+  template <typename Message>
+  void subscribe(const std::string& topic);
+  bool publishAndWait(const BenchmarkFrame& frame, double seconds);
+  void take(const PlaneArray& planes);
+
+  ros::CallbackQueue queue_;
+  ros::NodeHandle nh_;
+  ros::Publisher images_, infos_;
+  std::vector<ros::Subscriber> subscribers_;
+  std::uint32_t number_ = 0;  // of the frame, its stamp
+  std::size_t answers_ = 0;   // outputs of this frame that came
+  MessageTimes times_;
+};
+
+}  // namespace line_plane_segmentation
