@@ -33,3 +33,27 @@ use_local_ros() {
 free_port() {
   /usr/bin/python3 -c 'import socket; s = socket.socket(); s.bind(("127.0.0.1", 0)); print(s.getsockname()[1])'
 }
+
+# Builds, with one program of the tests besides, and puts what was built on the path.
+build_with_test_program() {
+  "$repository/scripts/build" >&2
+  cmake --build "$build_directory" --target "$1" >&2
+  source_ros_setup "$build_directory/devel/setup.bash"
+}
+
+# Starts a launch file with a master of its own, which ends with the script; one that runs already is not disturbed.
+launch_beside() {
+  use_local_ros
+  local port
+  port=$(free_port)
+  export ROS_MASTER_URI=http://127.0.0.1:$port
+  roslaunch --port="$port" "$@" >"$build_directory/roslaunch.log" 2>&1 &
+  launch=$!
+  trap 'kill -TERM "$launch" 2>/dev/null; wait "$launch" 2>/dev/null || true' EXIT
+  for _ in {1..100}; do
+    rosparam get /run_id >/dev/null 2>&1 && return
+    sleep 0.2
+  done
+  cat "$build_directory/roslaunch.log" >&2
+  return 1
+}

@@ -7,21 +7,20 @@
 #include <unistd.h>
 #include <xmlrpcpp/XmlRpc.h>
 
+#include <filesystem>
 #include <fstream>
+#include <iterator>
+#include <sstream>
 #include <string>
 
 namespace line_plane_segmentation {
 
-/// The process of the node that publishes a topic. -1 if there is none.
-inline int processThatPublishes(const std::string& topic) {
-  XmlRpc::XmlRpcValue request, response, payload, node;
+/// The process of a node. -1 if there is none.
+inline int processOfNode(const std::string& node) {
+  XmlRpc::XmlRpcValue request, response, payload;
   request[0] = ros::this_node::getName();
-  if (!ros::master::execute("getSystemState", request, response, payload, false)) return -1;
-  for (int i = 0; i < payload[0].size(); ++i) {
-    if (std::string(payload[0][i][0]) == topic) node = payload[0][i][1][0];
-  }
   request[1] = node;
-  if (!node.valid() || !ros::master::execute("lookupNode", request, response, payload, false)) return -1;
+  if (!ros::master::execute("lookupNode", request, response, payload, false)) return -1;
 
   std::string host;
   std::uint32_t port = 0;
@@ -32,12 +31,47 @@ inline int processThatPublishes(const std::string& topic) {
   return client.execute("getPid", caller, pid) ? static_cast<int>(pid[2]) : -1;
 }
 
+/// The process of the node that publishes a topic. -1 if there is none.
+inline int processThatPublishes(const std::string& topic) {
+  XmlRpc::XmlRpcValue request, response, payload;
+  request[0] = ros::this_node::getName();
+  if (!ros::master::execute("getSystemState", request, response, payload, false)) return -1;
+  for (int i = 0; i < payload[0].size(); ++i) {
+    if (std::string(payload[0][i][0]) == topic) return processOfNode(payload[0][i][1][0]);
+  }
+  return -1;
+}
+
 /// Memory [MB] that a process has in use. 0 if there is no such process.
 inline double residentMegabytes(int process) {
   std::ifstream file("/proc/" + std::to_string(process) + "/statm");
   double total_pages = 0.0, resident_pages = 0.0;
   file >> total_pages >> resident_pages;
   return resident_pages * static_cast<double>(sysconf(_SC_PAGESIZE)) / 1e6;
+}
+
+/// Entries of a folder in /proc/PID: of `task` the threads, of `fd` the open files. 0 if there is no such
+/// process.
+inline int entriesOf(int process, const std::string& folder) {
+  std::error_code ignored;
+  const std::filesystem::directory_iterator entries("/proc/" + std::to_string(process) + '/' + folder,
+                                                    ignored);
+  return static_cast<int>(std::distance(begin(entries), end(entries)));
+}
+
+/// Processor time [s] that a process has used so far. 0 if there is no such process.
+inline double processorSeconds(int process) {
+  std::ifstream file("/proc/" + std::to_string(process) + "/stat");
+  const std::string text{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+  const std::size_t name_end = text.rfind(')');
+  if (name_end == std::string::npos) return 0.0;
+  std::istringstream fields(text.substr(name_end + 1));
+  constexpr int kFieldsBefore = 11;  // between the name and utime
+  std::string skipped;
+  for (int i = 0; i < kFieldsBefore; ++i) fields >> skipped;
+  double user_ticks = 0.0, system_ticks = 0.0;
+  fields >> user_ticks >> system_ticks;
+  return (user_ticks + system_ticks) / static_cast<double>(sysconf(_SC_CLK_TCK));
 }
 
 }  // namespace line_plane_segmentation
