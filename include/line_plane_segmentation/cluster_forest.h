@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <initializer_list>
 #include <vector>
 
 #include "line_plane_segmentation/surface_patch.h"
@@ -49,9 +50,11 @@ class ClusterForest {
   /// Remembers two patches whose clusters may merge, for mergePairs(limit).
   void addPair(int a, int b, double limit);
 
-  /// Merges the clusters of the pairs remembered that cost less than the limit, in rounds with rising limits,
-  /// so that what is most alike has grown together before anything doubtful is asked; then forgets the pairs.
-  void mergePairs(double limit);
+  /// Merges the clusters of the pairs remembered that cost less than the limit, then forgets the pairs.
+  /// @param rounds  rising shares of the limit, asked one after the other, so that what is most alike has
+  /// grown
+  ///                together before anything doubtful is asked; the last is 1
+  void mergePairs(double limit, std::initializer_list<double> rounds);
 
   /// Makes one of the clusters of two roots, whose cost is known not to be the largest number; `a` is its
   /// root.
@@ -65,6 +68,9 @@ class ClusterForest {
     int patches;  ///< of both clusters then: clusters only grow, so the cost holds while this does
   };
 
+  static double costOf(const PatchCluster& a, const PatchCluster& b, double squared_error);
+  void replace(int a, int b, const RegressionMoments& moments, const InverseDepthPlane& plane,
+               double squared_error);
   bool mergeIfCheaper(Pair& pair, double limit);
 
   std::vector<PatchCluster> clusters_;  // of each patch; holds at a root

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -45,7 +46,8 @@ struct LabelRuns {
   void write(std::vector<std::uint16_t>& labels, int width) const;
 
  private:
-  std::vector<std::uint64_t> changes_;  // of a row: a byte for each pixel, not 0 where another label begins
+  std::vector<std::uint8_t> changes_;  // of a row: 1 where another label begins, else 0
+  std::vector<int> columns_;           // of a row: where another label begins
 };
 
 template <typename Predicate>
@@ -76,14 +78,12 @@ void forEachVerticalContact(const LabelRuns& image, Visitor&& visit) {
     const std::size_t a_end = b, b_end = image.row_begin[row + 1];
     while (a < a_end && b < b_end) {
       const LabelRun &above = image.runs[a], &below = image.runs[b];
-      const int first = above.first > below.first ? above.first : below.first;
-      const int last = above.last < below.last ? above.last : below.last;
-      if (last > first) visit(a, b, last - first);
-      if (above.last < below.last) {
-        ++a;
-      } else {
-        ++b;
-      }
+      const int first = std::max(above.first, below.first), last = std::min(above.last, below.last);
+      // Without a branch: half of the time it would be mispredicted.
+      const bool above_ends = above.last == last, below_ends = below.last == last;
+      visit(a, b, last - first);
+      a += above_ends ? 1 : 0;
+      b += below_ends ? 1 : 0;
     }
   }
 }

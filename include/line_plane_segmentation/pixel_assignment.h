@@ -35,13 +35,14 @@ class PixelAssigner {
   void assignSpans(const std::vector<Span>& spans, const std::vector<PatchCluster>& clusters, const float* z,
                    const ViewRays& rays, double y, double plane_distance);
 
-  bool isLikeNeighbors(const LabelRun& before, const LabelRun& speckle, const LabelRun& after) const;
+  bool isLikeNeighbors(const float* z, const LabelRun& before, const LabelRun& speckle,
+                       const LabelRun& after) const;
 
   std::vector<Span> spans_, fine_spans_;  // of the rows of tiles that the image's row lies in
   std::vector<int> fine_cluster_;         // of each fine crossing, or -1
   std::vector<int> open_span_;  // of each cluster, in the row of the grid being looked at; -1 if none
   // One row of the image.
-  std::vector<float> inverse_depth_, inverse_tolerance_, best_;
+  std::vector<float> depth_over_noise_, best_;
   std::vector<std::uint16_t> label_;
 };
 

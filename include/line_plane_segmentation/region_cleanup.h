@@ -35,6 +35,7 @@ class RegionCleaner {
 
   int find(int run);
   void connect(const LabelRuns& image);
+  void markSmall(int min_region_pixels, const LabelRuns& image);
   void addContact(int piece, std::uint16_t label, int length);
   void findContacts(const DepthImage& depth, const Parameters& parameters, const LabelRuns& image);
   std::uint16_t mostTouched(int piece) const;
@@ -42,9 +43,10 @@ class RegionCleaner {
                     const Parameters& parameters, const LabelRuns& image);
   int renumber(int min_plane_inliers, int label_count, LabelRuns& image);
 
-  std::vector<int> parent_;         // of each run
-  std::vector<int> pixels_;         // of the piece, at its root
-  std::vector<int> first_contact_;  // of the piece, at its root
+  std::vector<int> parent_;             // of each run
+  std::vector<int> pixels_;             // of the piece, at its root
+  std::vector<std::uint8_t> is_small_;  // of each run, whether its piece is
+  std::vector<int> first_contact_;      // of the piece, at its root
   std::vector<Contact> contacts_;
   std::vector<std::uint16_t> new_label_;  // of the piece, at its root; then of each label
   std::vector<double> error_;             // of the piece off the plane around it, at its root

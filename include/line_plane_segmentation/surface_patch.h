@@ -10,6 +10,7 @@
 #include "line_plane_segmentation/line_segment.h"
 #include "line_plane_segmentation/parameters.h"
 #include "line_plane_segmentation/plane_candidate.h"
+#include "line_plane_segmentation/window_sums.h"
 
 namespace line_plane_segmentation {
 
@@ -91,27 +92,20 @@ class PatchDetector {
               const std::vector<std::uint8_t>& explained, PatchLevels& levels);
 
  private:
-  /// Sums over the pixels of a scanline that have a depth: of their number, ray coordinate t and inverse
-  /// depth w.
-  struct LineSums {
-    double n = 0.0, t = 0.0, tt = 0.0, w = 0.0, tw = 0.0, ww = 0.0;
+  template <typename DepthAt, typename Cell>
+  void sumWindows(const PatchGrid& grid, int lines, int windows, const std::vector<float>& rays,
+                  int half_window, DepthAt&& depthAt, Cell&& cell, WindowSums& sums);
+  void resetLanes(int lanes);
+  void fit(int first, int count, double y, double min_points, const Parameters& parameters);
+  SurfacePatch patchOf(int crossing, int lane, double y) const;
+  void sumFineRow(const DepthImage& depth, const ViewRays& rays, const FinePatches& fine, int v,
+                  int half_window);
 
-    LineSums operator-(const LineSums& o) const {
-      return {n - o.n, t - o.t, tt - o.tt, w - o.w, tw - o.tw, ww - o.ww};
-    }
-    double squaredErrorOfLine() const;
-  };
-
-  void sumRows(const DepthImage& depth, const ViewRays& rays, int half_window, const PatchGrid& grid);
-  void sumColumns(const DepthImage& depth, const ViewRays& rays, int half_window, const PatchGrid& grid);
-  static LineSums sumRow(const DepthImage& depth, const ViewRays& rays, int u, int v, int half_window);
-  static LineSums sumColumn(const DepthImage& depth, const ViewRays& rays, int u, int v, int half_window);
-  static void fitCrossing(const LineSums& row, const LineSums& column, double x, double y,
-                          const Parameters& parameters, SurfacePatch& patch);
-
-  std::vector<LineSums> running_;         // along a scanline, or for all columns down to one row
-  std::vector<LineSums> row_windows_;     // of every patch
-  std::vector<LineSums> column_windows_;  // of every patch
+  WindowSums row_sums_, column_sums_;  // of every crossing; of a row of crossings, if fine
+  WindowSums running_;                 // along scanlines, one a lane
+  std::vector<float> z_, t_, x_;       // of each lane a pixel's depth and ray coordinate, and the crossing's
+  LaneTable<7> fits_;                  // of each lane, as CrossingFits has them
+  std::vector<int> fine_columns_;      // of a row of the fine grid, those looked at
 };
 
 /// The patches as line segments (neighbours along a scanline whose lines go on from one to the next) and

@@ -18,13 +18,16 @@ void ClusterForest::add(const SurfacePatch& patch, double share) {
   parent_.push_back(static_cast<int>(parent_.size()));
 }
 
+// @param squared_error  that of both to their common plane; negative if they fix none
+double ClusterForest::costOf(const PatchCluster& a, const PatchCluster& b, double squared_error) {
+  if (squared_error < 0.0) return std::numeric_limits<double>::max();
+  return (squared_error - a.squared_error - b.squared_error) / std::min(a.moments.pixels, b.moments.pixels);
+}
+
 double ClusterForest::costOf(int a, int b) const {
   const PatchCluster &first = cluster(a), &second = cluster(b);
   InverseDepthPlane plane;
-  const double squared_error = (first.moments + second.moments).fit(plane);
-  if (squared_error < 0.0) return std::numeric_limits<double>::max();
-  return (squared_error - first.squared_error - second.squared_error) /
-         std::min(first.moments.pixels, second.moments.pixels);
+  return costOf(first, second, (first.moments + second.moments).fit(plane));
 }
 
 void ClusterForest::addPair(int a, int b, double limit) {
@@ -41,17 +44,21 @@ void ClusterForest::addPair(int a, int b, double limit) {
 bool ClusterForest::mergeIfCheaper(Pair& pair, double limit) {
   const int a = find(pair.a), b = find(pair.b);
   if (a == b) return true;
-  const int patches = cluster(a).patches + cluster(b).patches;
+  const PatchCluster &first = cluster(a), &second = cluster(b);
+  const int patches = first.patches + second.patches;
   if (patches == pair.patches && !(pair.cost < limit)) return false;
-  pair.cost = costOf(a, b);
+  const RegressionMoments moments = first.moments + second.moments;
+  InverseDepthPlane plane;
+  const double squared_error = moments.fit(plane);
+  pair.cost = costOf(first, second, squared_error);
   pair.patches = patches;
   if (!(pair.cost < limit)) return false;
-  merge(a, b);
+  replace(a, b, moments, plane, squared_error);
   return true;
 }
 
-void ClusterForest::mergePairs(double limit) {
-  for (const double share : {1.0 / 64, 1.0 / 16, 1.0 / 8, 1.0 / 4, 1.0 / 2, 1.0, 1.0}) {
+void ClusterForest::mergePairs(double limit, std::initializer_list<double> rounds) {
+  for (const double share : rounds) {
     std::size_t kept = 0;
     for (Pair& pair : pairs_) {
       if (!mergeIfCheaper(pair, share * limit)) pairs_[kept++] = pair;
@@ -62,10 +69,20 @@ void ClusterForest::mergePairs(double limit) {
 }
 
 void ClusterForest::merge(int a, int b) {
+  const RegressionMoments moments = cluster(a).moments + cluster(b).moments;
+  InverseDepthPlane plane;
+  const double squared_error = moments.fit(plane);
+  replace(a, b, moments, plane, squared_error);
+}
+
+// Puts what two clusters have in common in the place of the first.
+void ClusterForest::replace(int a, int b, const RegressionMoments& moments, const InverseDepthPlane& plane,
+                            double squared_error) {
   PatchCluster& merged = clusters_[static_cast<std::size_t>(a)];
   const PatchCluster& other = cluster(b);
-  merged.moments += other.moments;
-  merged.squared_error = merged.moments.fit(merged.plane);
+  merged.moments = moments;
+  merged.plane = plane;
+  merged.squared_error = squared_error;
   merged.patches += other.patches;
   merged.share += other.share;
   parent_[static_cast<std::size_t>(b)] = a;

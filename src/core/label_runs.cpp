@@ -2,10 +2,17 @@
 #include "line_plane_segmentation/label_runs.h"
 
 #include <algorithm>
+#include <array>
+#include <cstring>
 
 #include "row_kernels.h"
 
 namespace line_plane_segmentation {
+namespace {
+
+constexpr std::size_t kPadding = 8;  // what appendMarked() reads and writes behind a row
+
+}  // namespace
 
 void LabelRuns::clear() {
   runs.clear();
@@ -14,19 +21,17 @@ void LabelRuns::clear() {
 
 void LabelRuns::addRow(const std::uint16_t* labels, int width) {
   const int row = static_cast<int>(row_begin.size()) - 1;
-  const std::size_t words = (static_cast<std::size_t>(width) + 7) / 8;
-  if (changes_.size() != words) changes_.assign(words, 0);
-  std::uint8_t* changes = reinterpret_cast<std::uint8_t*>(changes_.data());
-  markChanges(labels, width, changes);
+  const std::size_t padded = static_cast<std::size_t>(width) + kPadding;
+  if (changes_.size() != padded) {
+    changes_.assign(padded, 0);
+    columns_.resize(padded);
+  }
+  markChanges(labels, width, changes_.data());
+  const int* const end = appendMarked(changes_.data(), 0, width, columns_.data());
   int first = 0;
-  for (std::size_t word = 0; word < words; ++word) {
-    if (changes_[word] == 0) continue;  // most labels are the same as eight pixels before
-    const int end = std::min(width, static_cast<int>(word) * 8 + 8);
-    for (int u = static_cast<int>(word) * 8; u < end; ++u) {
-      if (changes[u] == 0) continue;
-      runs.push_back({row, first, u, labels[first]});
-      first = u;
-    }
+  for (const int* column = columns_.data(); column != end; ++column) {
+    runs.push_back({row, first, *column, labels[first]});
+    first = *column;
   }
   runs.push_back({row, first, width, labels[first]});
   row_begin.push_back(runs.size());
@@ -56,10 +61,18 @@ void LabelRuns::join() {
   if (!row_begin.empty()) row_begin.back() = kept;
 }
 
+// Most runs are short: each is written in whole blocks, whose excess the next run overwrites.
 void LabelRuns::write(std::vector<std::uint16_t>& labels, int width) const {
+  constexpr std::ptrdiff_t kBlock = 8;
+  std::uint16_t* const end = labels.data() + labels.size();
   for (const LabelRun& run : runs) {
     std::uint16_t* row = labels.data() + static_cast<std::size_t>(run.row) * static_cast<std::size_t>(width);
-    std::fill(row + run.first, row + run.last, run.label == kNoDepthLabel ? std::uint16_t{0} : run.label);
+    std::uint16_t *to = row + run.first, *const last = row + run.last;
+    const std::uint16_t label = run.label == kNoDepthLabel ? std::uint16_t{0} : run.label;
+    std::array<std::uint16_t, kBlock> block;
+    block.fill(label);
+    for (; to < last && end - to >= kBlock; to += kBlock) std::memcpy(to, block.data(), sizeof(block));
+    if (to < last) std::fill(to, last, label);
   }
 }
 

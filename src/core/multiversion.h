@@ -10,3 +10,10 @@
 #else
 #define LPS_MULTIVERSION
 #endif
+
+// Before a loop: what it writes is not what it reads in a later round, which the compiler need not check.
+#if defined(__GNUC__) && !defined(__clang__)
+#define LPS_INDEPENDENT _Pragma("GCC ivdep")
+#else
+#define LPS_INDEPENDENT
+#endif

@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <array>
 #include <cstdlib>
-#include <cstring>
 
 #include "multiversion.h"
+#include "row_kernels.h"
 
 namespace line_plane_segmentation {
 namespace {
@@ -40,27 +40,6 @@ void markStarts(const std::uint16_t* row, const std::uint16_t* above, int begin,
   for (int i = begin; i < end; ++i) {
     marks[i] = static_cast<std::uint8_t>((row[i] != row[i - 1]) & (row[i] != above[i]));
   }
-}
-
-/// Appends the columns from begin to end - 1 that have a mark; room for a word more is needed.
-int* appendMarked(const std::uint8_t* marks, int begin, int end, int* columns) {
-  using Word = std::uint64_t;
-  constexpr int kStep = sizeof(Word);
-  std::array<int, kStretch / kStep> marked_words;
-  std::size_t count = 0;
-  for (int x = begin; x < end; x += kStep) {
-    Word word;
-    std::memcpy(&word, marks + x, sizeof(word));
-    marked_words[count] = x;
-    count += word != 0 ? 1 : 0;
-  }
-  for (std::size_t k = 0; k < count; ++k) {
-    for (int i = marked_words[k]; i < marked_words[k] + kStep; ++i) {
-      *columns = i;
-      columns += marks[i];
-    }
-  }
-  return columns;
 }
 
 /// A straight piece of a border, up to its next turn.

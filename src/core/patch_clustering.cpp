@@ -59,7 +59,7 @@ void PatchClusterer::clusterCoarse(const PatchGrid& coarse, const Parameters& pa
       if (r + 1 < coarse.rows) forest_.addPair(i, i + coarse.columns, limit);
     }
   }
-  forest_.mergePairs(limit);
+  forest_.mergePairs(limit, {1.0 / 64, 1.0 / 16, 1.0 / 8, 1.0 / 4, 1.0 / 2, 1.0, 1.0});
   explained.resize(coarse.patches.size());
   for (std::size_t i = 0; i < explained.size(); ++i) {
     const int root = forest_.find(static_cast<int>(i));
@@ -67,7 +67,8 @@ void PatchClusterer::clusterCoarse(const PatchGrid& coarse, const Parameters& pa
   }
 }
 
-// First the fine patches join what is there, then each other.
+// First the fine patches join what is there, then each other. They need fewer rounds than the coarse ones:
+// planes that are sure are there.
 void PatchClusterer::addFine(const PatchLevels& levels, double limit) {
   const PatchGrid& coarse = levels.coarse;
   const FinePatches& fine = levels.fine;
@@ -82,7 +83,7 @@ void PatchClusterer::addFine(const PatchLevels& levels, double limit) {
       if (neighbor != here) forest_.addPair(i, neighbor, join_limit);
     }
   }
-  forest_.mergePairs(join_limit);
+  forest_.mergePairs(join_limit, {1.0 / 4, 1.0});
   for (int i = first; i < levels.count(); ++i) {
     const int cell = fine.cells[static_cast<std::size_t>(i - first)];
     const int left = cell % fine.columns == 0 ? -1 : fine.patchAt(cell - 1);
@@ -90,7 +91,7 @@ void PatchClusterer::addFine(const PatchLevels& levels, double limit) {
     if (left >= 0) forest_.addPair(first + left, i, limit);
     if (above >= 0) forest_.addPair(first + above, i, limit);
   }
-  forest_.mergePairs(limit);
+  forest_.mergePairs(limit, {1.0 / 16, 1.0 / 4, 1.0, 1.0});
 }
 
 // Takes outliers out of the clusters, whose planes they would bend. Where there are enough coarse patches,

@@ -2,6 +2,7 @@
 #include "line_plane_segmentation/pixel_assignment.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "row_kernels.h"
@@ -17,12 +18,16 @@ constexpr float kMaxSpeckleError = 2.0F;  // [-] in tolerances
 // A patch speaks for its own tile of the grid and for the eight around it.
 void PixelAssigner::findSpans(const Tiles& tiles, int row, int width, std::vector<Span>& spans) {
   spans.clear();
-  const int first_row = std::max(0, row - 1), last_row = std::min(tiles.rows - 1, row + 1);
+  const int* const here = tiles.cluster_of + row * tiles.columns;
+  const std::array<const int*, 3> rows = {row > 0 ? here - tiles.columns : here, here,
+                                          row + 1 < tiles.rows ? here + tiles.columns : here};
   for (int c = 0; c < tiles.columns; ++c) {
+    // Only -1, all of whose bits are set, is negative.
+    if ((rows[0][c] & rows[1][c] & rows[2][c]) < 0) continue;
     const int first = std::max(0, c - 1) * tiles.spacing;
     const int last = c + 2 >= tiles.columns ? width : (c + 2) * tiles.spacing;
-    for (int r = first_row; r <= last_row; ++r) {
-      const int cluster = tiles.cluster_of[r * tiles.columns + c];
+    for (const int* clusters : rows) {
+      const int cluster = clusters[c];
       if (cluster < 0) continue;
       int& open = open_span_[static_cast<std::size_t>(cluster)];
       if (open >= 0 && spans[static_cast<std::size_t>(open)].last >= first) {
@@ -43,20 +48,18 @@ void PixelAssigner::assignSpans(const std::vector<Span>& spans, const std::vecto
     const RowOfPlane row{static_cast<float>(plane.a), static_cast<float>(plane.b * y + plane.c),
                          static_cast<float>(1.0 / (plane_distance * plane.inverseDistance())),
                          static_cast<std::uint16_t>(span.cluster + 1)};
-    assignIfBetter(z + span.first, inverse_depth_.data() + span.first, inverse_tolerance_.data() + span.first,
-                   rays.x.data() + span.first, span.last - span.first, row, best_.data() + span.first,
-                   label_.data() + span.first);
+    assignIfBetter(z + span.first, depth_over_noise_.data() + span.first, rays.x.data() + span.first,
+                   span.last - span.first, row, best_.data() + span.first, label_.data() + span.first);
   }
 }
 
-// Whether a few pixels lie at the depth of those to their left and right.
-bool PixelAssigner::isLikeNeighbors(const LabelRun& before, const LabelRun& speckle,
+// Whether a few pixels of a row lie at the depth of those to their left and right.
+bool PixelAssigner::isLikeNeighbors(const float* z, const LabelRun& before, const LabelRun& speckle,
                                     const LabelRun& after) const {
-  const float expected = 0.5F * (inverse_depth_[static_cast<std::size_t>(before.last - 1)] +
-                                 inverse_depth_[static_cast<std::size_t>(after.first)]);
-  for (std::size_t u = static_cast<std::size_t>(speckle.first); u < static_cast<std::size_t>(speckle.last);
-       ++u) {
-    if (std::fabs(inverse_depth_[u] - expected) * inverse_tolerance_[u] > kMaxSpeckleError) return false;
+  const float expected = 0.5F * (1.0F / z[before.last - 1] + 1.0F / z[after.first]);
+  for (int u = speckle.first; u < speckle.last; ++u) {
+    const float error = std::fabs(1.0F - z[u] * expected) * depth_over_noise_[static_cast<std::size_t>(u)];
+    if (error > kMaxSpeckleError) return false;
   }
   return true;
 }
@@ -65,7 +68,7 @@ void PixelAssigner::assign(const DepthImage& depth, const ViewRays& rays, const 
                            const std::vector<PatchCluster>& clusters, const std::vector<int>& cluster_of,
                            const Parameters& parameters, LabelRuns& image) {
   const std::size_t width = static_cast<std::size_t>(depth.width);
-  for (std::vector<float>* row : {&inverse_depth_, &inverse_tolerance_, &best_}) row->resize(width);
+  for (std::vector<float>* row : {&depth_over_noise_, &best_}) row->resize(width);
   label_.resize(width);
   open_span_.assign(clusters.size(), -1);
   const float factor = static_cast<float>(parameters.extraction.distance_noise_factor);
@@ -95,14 +98,13 @@ void PixelAssigner::assign(const DepthImage& depth, const ViewRays& rays, const 
     if (!levels.fine.patches.empty()) enter(fine, fine_row, fine_spans_);
     const float* z = depth.row(v);
     const double y = rays.y[static_cast<std::size_t>(v)];
-    prepareRow(z, depth.width, noise, inverse_depth_.data(), inverse_tolerance_.data(), best_.data(),
-               label_.data());
+    prepareRow(z, depth.width, noise, depth_over_noise_.data(), best_.data(), label_.data());
     assignSpans(spans_, clusters, z, rays, y, plane_distance);
     assignSpans(fine_spans_, clusters, z, rays, y, plane_distance);
     image.addRow(label_.data(), depth.width);
     image.joinOverSpeckles(kMaxSpeckle,
-                           [this](const LabelRun& before, const LabelRun& speckle, const LabelRun& after) {
-                             return isLikeNeighbors(before, speckle, after);
+                           [this, z](const LabelRun& before, const LabelRun& speckle, const LabelRun& after) {
+                             return isLikeNeighbors(z, before, speckle, after);
                            });
   }
 }

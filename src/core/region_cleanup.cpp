@@ -15,11 +15,6 @@ constexpr double kMaxMeanError =
 constexpr int kMaxGapRegions = 8;  // [-] in min_region_pixels; a larger piece in no plane stays in none
 constexpr double kMaxStep = 1.0;   // [-] in tolerances along the ray; neighbours farther apart do not touch
 
-// Whether a piece is so small that it may go to what surrounds it.
-bool isSmall(std::uint16_t label, int pixels, int min_region_pixels) {
-  return pixels < (label == 0 ? kMaxGapRegions * min_region_pixels : min_region_pixels);
-}
-
 // How many of two rows' pixels lie at the same depth, within the tolerance.
 int countTouching(const float* z, const float* other, int count, const DepthTolerance& tolerance) {
   int touching = 0;
@@ -56,6 +51,17 @@ void RegionCleaner::connect(const LabelRuns& image) {
   }
 }
 
+// Which runs are of a piece so small that it may go to what surrounds it.
+void RegionCleaner::markSmall(int min_region_pixels, const LabelRuns& image) {
+  is_small_.resize(image.runs.size());
+  for (std::size_t i = 0; i < is_small_.size(); ++i) {
+    const std::uint16_t label = image.runs[i].label;
+    const int bound = label == 0 ? kMaxGapRegions * min_region_pixels : min_region_pixels;
+    const bool is_small = pixels_[static_cast<std::size_t>(parent_[i])] < bound;
+    is_small_[i] = (label != kNoDepthLabel) & is_small ? 1 : 0;
+  }
+}
+
 void RegionCleaner::addContact(int piece, std::uint16_t label, int length) {
   int& first = first_contact_[static_cast<std::size_t>(piece)];
   for (int i = first; i >= 0; i = contacts_[static_cast<std::size_t>(i)].next) {
@@ -72,15 +78,13 @@ void RegionCleaner::findContacts(const DepthImage& depth, const Parameters& para
                                  const LabelRuns& image) {
   contacts_.clear();
   first_contact_.assign(parent_.size(), -1);
-  const int min_pixels = parameters.cleanup.min_region_pixels;
   const DepthTolerance tolerance{parameters.noise, kMaxStep * parameters.extraction.distance_noise_factor};
   // Pixels of run i from column `first_i` on, and their neighbours of run j.
   const auto meet = [&](std::size_t i, std::size_t j, int first_i, int first_j, int length) {
+    if (is_small_[i] == is_small_[j]) return;
     const LabelRun &a = image.runs[i], &b = image.runs[j];
     if (a.label == b.label || a.label == kNoDepthLabel || b.label == kNoDepthLabel) return;
-    const bool a_is_small = isSmall(a.label, pixels_[static_cast<std::size_t>(parent_[i])], min_pixels);
-    const bool b_is_small = isSmall(b.label, pixels_[static_cast<std::size_t>(parent_[j])], min_pixels);
-    if (a_is_small == b_is_small) return;
+    const bool a_is_small = is_small_[i] != 0;
     const int touching =
         countTouching(depth.row(a.row) + first_i, depth.row(b.row) + first_j, length, tolerance);
     const int piece = parent_[a_is_small ? i : j];
@@ -144,13 +148,12 @@ void RegionCleaner::chooseLabels(const DepthImage& depth, const ViewRays& rays,
                                  const LabelRuns& image) {
   const DepthTolerance tolerance{parameters.noise, parameters.extraction.distance_noise_factor,
                                  parameters.extraction.plane_distance};
-  const int min_pixels = parameters.cleanup.min_region_pixels;
   new_label_.assign(image.runs.size(), 0);
   error_.assign(image.runs.size(), 0.0);
   for (std::size_t i = 0; i < image.runs.size(); ++i) {
+    if (is_small_[i] == 0) continue;
     const LabelRun& run = image.runs[i];
     const std::size_t piece = static_cast<std::size_t>(parent_[i]);
-    if (run.label == kNoDepthLabel || !isSmall(run.label, pixels_[piece], min_pixels)) continue;
     if (piece == i) new_label_[piece] = mostTouched(parent_[i]);  // its first run
     if (new_label_[piece] == 0) continue;
     const InverseDepthPlane& plane = clusters[new_label_[piece] - 1U].plane;
@@ -170,15 +173,12 @@ void RegionCleaner::chooseLabels(const DepthImage& depth, const ViewRays& rays,
 int RegionCleaner::clean(const DepthImage& depth, const ViewRays& rays,
                          const std::vector<PatchCluster>& clusters, const Parameters& parameters,
                          LabelRuns& image) {
-  const int min_pixels = parameters.cleanup.min_region_pixels;
   connect(image);
+  markSmall(parameters.cleanup.min_region_pixels, image);
   findContacts(depth, parameters, image);
   chooseLabels(depth, rays, clusters, parameters, image);
   for (std::size_t i = 0; i < image.runs.size(); ++i) {
-    const std::size_t piece = static_cast<std::size_t>(parent_[i]);
-    LabelRun& run = image.runs[i];
-    if (run.label != kNoDepthLabel && isSmall(run.label, pixels_[piece], min_pixels))
-      run.label = new_label_[piece];
+    if (is_small_[i] != 0) image.runs[i].label = new_label_[static_cast<std::size_t>(parent_[i])];
   }
   const int plane_count =
       renumber(parameters.extraction.min_plane_inliers, static_cast<int>(clusters.size()), image);

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "row_kernels.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstring>
 
 #include "line_plane_segmentation/label_runs.h"
 #include "multiversion.h"
@@ -66,32 +69,51 @@ void markChanges(const std::uint16_t* __restrict labels, int count, std::uint8_t
   for (int i = 1; i < count; ++i) changes[i] = static_cast<std::uint8_t>(labels[i] != labels[i - 1]);
 }
 
+// Branches that depend on the picture are mispredicted half of the time. So candidates are collected by
+// storing all and counting the right ones.
+int* appendMarked(const std::uint8_t* marks, int begin, int end, int* columns) {
+  using Word = std::uint64_t;
+  constexpr int kStep = sizeof(Word), kWords = 8;
+  std::array<int, kWords> marked_words;
+  for (int first = begin; first < end; first += kWords * kStep) {
+    std::size_t count = 0;
+    for (int x = first; x < std::min(end, first + kWords * kStep); x += kStep) {
+      Word word;
+      std::memcpy(&word, marks + x, sizeof(word));
+      marked_words[count] = x;
+      count += word != 0 ? 1 : 0;
+    }
+    for (std::size_t k = 0; k < count; ++k) {
+      for (int i = marked_words[k]; i < marked_words[k] + kStep; ++i) {
+        *columns = i;
+        columns += marks[i];
+      }
+    }
+  }
+  return columns;
+}
+
 LPS_MULTIVERSION
-void prepareRow(const float* __restrict z, int count, const RowNoise& noise, float* __restrict inverse_depth,
-                float* __restrict inverse_tolerance, float* __restrict best,
-                std::uint16_t* __restrict label) {
+void prepareRow(const float* __restrict z, int count, const RowNoise& noise,
+                float* __restrict depth_over_noise, float* __restrict best, std::uint16_t* __restrict label) {
   const RowNoise n = noise;
   for (int i = 0; i < count; ++i) {
     const bool valid = z[i] > 0.0F;
-    const float w = 1.0F / z[i];
-    const float reach = 1.0F - n.nearest * w;
-    const float tolerance = n.floor * w * w + n.growth * reach * reach;
-    inverse_depth[i] = valid ? w : 0.0F;
-    inverse_tolerance[i] = 1.0F / tolerance;
+    const float beyond = z[i] - n.nearest;
+    depth_over_noise[i] = z[i] / (n.floor + n.growth * beyond * beyond);
     best[i] = valid ? 1.0F : 0.0F;
     label[i] = valid ? std::uint16_t{0} : kNoDepthLabel;
   }
 }
 
 LPS_MULTIVERSION
-void assignIfBetter(const float* __restrict z, const float* __restrict inverse_depth,
-                    const float* __restrict inverse_tolerance, const float* __restrict x, int count,
-                    const RowOfPlane& plane, float* __restrict best, std::uint16_t* __restrict label) {
+void assignIfBetter(const float* __restrict z, const float* __restrict depth_over_noise,
+                    const float* __restrict x, int count, const RowOfPlane& plane, float* __restrict best,
+                    std::uint16_t* __restrict label) {
   const RowOfPlane p = plane;
   for (int i = 0; i < count; ++i) {
-    const float across = p.inverse_across * z[i];
-    const float inverse = inverse_tolerance[i] < across ? inverse_tolerance[i] : across;
-    const float error = std::fabs(inverse_depth[i] - (p.slope * x[i] + p.offset)) * inverse;
+    const float inverse = depth_over_noise[i] < p.inverse_across ? depth_over_noise[i] : p.inverse_across;
+    const float error = std::fabs(1.0F - z[i] * (p.slope * x[i] + p.offset)) * inverse;
     const bool better = error < best[i];
     best[i] = better ? error : best[i];
     label[i] = better ? p.label : label[i];
@@ -100,7 +122,7 @@ void assignIfBetter(const float* __restrict z, const float* __restrict inverse_d
 
 LPS_MULTIVERSION
 RunSums sumRun(const float* z, const float* x, int count) {
-  constexpr int kLanes = 8;
+  constexpr int kLanes = 4;
   double sum_z[kLanes] = {}, sum_zx[kLanes] = {}, sum_zz[kLanes] = {}, sum_zzx[kLanes] = {},
          sum_zzxx[kLanes] = {}, sum_zzz[kLanes] = {};
   const auto add = [&](int lane, int i) {

@@ -45,31 +45,37 @@ int countDepths(const float* z, int count);
 /// changes[i] = 1 where labels[i] differs from labels[i - 1], else 0; changes[0] = 0.
 void markChanges(const std::uint16_t* labels, int count, std::uint8_t* changes);
 
+/// Appends to `columns` the i from begin to end - 1 where marks[i] is 1, in order; the others are 0. Up to
+/// seven marks from `end` on are read, and must be 0.
+/// @param columns  with room for one more than there are marks
+/// @return the end of what was appended
+int* appendMarked(const std::uint8_t* marks, int begin, int end, int* columns);
+
 /// The noise model times a factor: floor and growth are multiplied by it.
 struct RowNoise {
   float floor, growth, nearest;
 };
 
 /// Makes a row ready for assignIfBetter().
-/// @param inverse_depth     [1/m] 1 / z, or 0 where there is no depth
-/// @param inverse_tolerance [m] 1 / DepthTolerance::along(), undefined where there is no depth
+/// @param depth_over_noise  [-] z over its noise, sigma_z times the factor; undefined where there is no depth
 /// @param best              1: a pixel must lie within the tolerance; 0 where there is no depth: nothing is
 /// better
 /// @param label             0, or kNoDepthLabel where there is no depth
-void prepareRow(const float* z, int count, const RowNoise& noise, float* inverse_depth,
-                float* inverse_tolerance, float* best, std::uint16_t* label);
+void prepareRow(const float* z, int count, const RowNoise& noise, float* depth_over_noise, float* best,
+                std::uint16_t* label);
 
 /// A plane along a row: its inverse depth is slope * x + offset.
 struct RowOfPlane {
   float slope, offset;
-  float inverse_across;  ///< 1 / (distance / d): DepthTolerance's part across the plane is this times z,
-                         ///< inverted
+  float inverse_across;  ///< [-] the plane's distance to the camera over the tolerance across it
   std::uint16_t label;
 };
 
 /// Gives each pixel whose error, in tolerances, is under `best` to the plane, and remembers the error there.
-void assignIfBetter(const float* z, const float* inverse_depth, const float* inverse_tolerance,
-                    const float* x, int count, const RowOfPlane& plane, float* best, std::uint16_t* label);
+/// With w = 1/z, w_p the plane's inverse depth there, and DepthTolerance's tolerance max(sigma_z w², distance
+/// w / d), the error is |w - w_p| / tolerance = |1 - z w_p| min(z / sigma_z, d / distance).
+void assignIfBetter(const float* z, const float* depth_over_noise, const float* x, int count,
+                    const RowOfPlane& plane, float* best, std::uint16_t* label);
 
 /// Sums over a run of pixels of depth z on rays (x, y, 1) with one y.
 struct RunSums {

@@ -2,7 +2,8 @@
 #include "line_plane_segmentation/surface_patch.h"
 
 #include <algorithm>
-#include <limits>
+
+#include "patch_kernels.h"
 
 namespace line_plane_segmentation {
 namespace {
@@ -15,113 +16,82 @@ int countAlong(int pixels, int spacing) {
   return pixels > spacing / 2 ? (pixels - 1 - spacing / 2) / spacing + 1 : 0;
 }
 
-template <typename Sums>
-void addPixel(float z, double t, Sums& sums) {
-  if (!(z > 0.0F)) return;
-  const double w = 1.0 / static_cast<double>(z);
-  sums.n += 1.0;
-  sums.t += t;
-  sums.tt += t * t;
-  sums.w += w;
-  sums.tw += t * w;
-  sums.ww += w * w;
-}
-
 }  // namespace
 
-double PatchDetector::LineSums::squaredErrorOfLine() const {
-  const double ctt = tt - t * t / n, ctw = tw - t * w / n, cww = ww - w * w / n;
-  return ctt > 0.0 ? std::max(0.0, cww - ctw * ctw / ctt) : std::numeric_limits<double>::max();
-}
-
-void PatchDetector::sumRows(const DepthImage& depth, const ViewRays& rays, int half_window,
-                            const PatchGrid& grid) {
-  running_.resize(static_cast<std::size_t>(depth.width) + 1);
-  for (int r = 0; r < grid.rows; ++r) {
-    const float* z = depth.row(grid.pixelOf(r));
-    LineSums sums;
-    running_[0] = sums;
-    for (int u = 0; u < depth.width; ++u) {
-      addPixel(z[u], rays.x[static_cast<std::size_t>(u)], sums);
-      running_[static_cast<std::size_t>(u) + 1] = sums;
-    }
-    for (int c = 0; c < grid.columns; ++c) {
-      const int first = std::max(0, grid.pixelOf(c) - half_window);
-      const int end = std::min(depth.width, grid.pixelOf(c) + half_window + 1);
-      row_windows_[static_cast<std::size_t>(grid.indexOf(c, r))] =
-          running_[static_cast<std::size_t>(end)] - running_[static_cast<std::size_t>(first)];
-    }
-  }
-}
-
-// All columns at once from the top down, so that the image is read row by row: what has been summed above a
-// window's first row is put away, and subtracted at its end.
-void PatchDetector::sumColumns(const DepthImage& depth, const ViewRays& rays, int half_window,
-                               const PatchGrid& grid) {
-  running_.assign(static_cast<std::size_t>(grid.columns), LineSums{});
-  int opening = 0, closing = 0;  // the next rows of the grid whose windows begin and end
-  for (int v = 0; v <= depth.height; ++v) {
-    while (opening < grid.rows && std::max(0, grid.pixelOf(opening) - half_window) == v) {
-      std::copy(running_.begin(), running_.end(), column_windows_.begin() + grid.indexOf(0, opening));
+// The window of each scanline around each crossing, all parallel scanlines at once: what has been summed
+// along the scanlines before a window's first pixel is put away, and subtracted behind its last.
+// @param rays     ray coordinates along the scanlines, one for each step
+// @param depthAt  the depth on a line at a step
+// @param cell     of a line and a window of it, the crossing
+template <typename DepthAt, typename Cell>
+void PatchDetector::sumWindows(const PatchGrid& grid, int lines, int windows, const std::vector<float>& rays,
+                               int half_window, DepthAt&& depthAt, Cell&& cell, WindowSums& sums) {
+  const int steps = static_cast<int>(rays.size());
+  resetLanes(lines);
+  running_.setZero(lines);
+  int opening = 0, closing = 0;  // the next windows to begin and to end
+  for (int step = 0; step <= steps; ++step) {
+    while (opening < windows && std::max(0, grid.pixelOf(opening) - half_window) == step) {
+      for (int line = 0; line < lines; ++line) sums.lane(cell(line, opening)) = running_.lane(line);
       ++opening;
     }
-    while (closing < grid.rows && std::min(depth.height, grid.pixelOf(closing) + half_window + 1) == v) {
-      LineSums* windows = column_windows_.data() + grid.indexOf(0, closing);
-      for (int c = 0; c < grid.columns; ++c) windows[c] = running_[static_cast<std::size_t>(c)] - windows[c];
+    while (closing < windows && std::min(steps, grid.pixelOf(closing) + half_window + 1) == step) {
+      for (int line = 0; line < lines; ++line) {
+        auto sum = sums.lane(cell(line, closing));
+        sum = running_.lane(line) - sum;
+      }
       ++closing;
     }
-    if (v == depth.height) break;
-    const float* z = depth.row(v);
-    const double y = rays.y[static_cast<std::size_t>(v)];
-    for (int c = 0; c < grid.columns; ++c)
-      addPixel(z[grid.pixelOf(c)], y, running_[static_cast<std::size_t>(c)]);
+    if (step == steps) break;
+    for (int line = 0; line < lines; ++line) z_[static_cast<std::size_t>(line)] = depthAt(line, step);
+    std::fill(t_.begin(), t_.end(), rays[static_cast<std::size_t>(step)]);
+    addPixels(z_.data(), t_.data(), lines, lanesFrom(0, running_));
   }
 }
 
-PatchDetector::LineSums PatchDetector::sumRow(const DepthImage& depth, const ViewRays& rays, int u, int v,
-                                              int half_window) {
-  LineSums sums;
-  const float* z = depth.row(v);
-  for (int i = std::max(0, u - half_window); i < std::min(depth.width, u + half_window + 1); ++i)
-    addPixel(z[i], rays.x[static_cast<std::size_t>(i)], sums);
-  return sums;
+void PatchDetector::resetLanes(int lanes) {
+  const std::size_t count = static_cast<std::size_t>(lanes);
+  z_.resize(count);
+  t_.resize(count);
+  x_.resize(count);
+  fits_.resize(lanes);
 }
 
-PatchDetector::LineSums PatchDetector::sumColumn(const DepthImage& depth, const ViewRays& rays, int u, int v,
-                                                 int half_window) {
-  LineSums sums;
-  for (int i = std::max(0, v - half_window); i < std::min(depth.height, v + half_window + 1); ++i)
-    addPixel(depth.at(u, i), rays.y[static_cast<std::size_t>(i)], sums);
-  return sums;
+// Fits the crossings of `count` windows, from one on, with those of x_; they lie in an image row with ray y.
+void PatchDetector::fit(int first, int count, double y, double min_points, const Parameters& parameters) {
+  const CrossingBounds bounds{DepthTolerance{parameters.noise, parameters.patches.patch_noise_factor,
+                                             parameters.patches.patch_distance},
+                              parameters.patches.patch_flatness, min_points};
+  fitCrossings(
+      lanesFrom(first, row_sums_), lanesFrom(first, column_sums_), x_.data(), y, count, bounds,
+      {fits_.row(0), fits_.row(1), fits_.row(2), fits_.row(3), fits_.row(4), fits_.row(5), fits_.row(6)});
 }
 
-void PatchDetector::fitCrossing(const LineSums& row, const LineSums& column, double x, double y,
-                                const Parameters& parameters, SurfacePatch& patch) {
+// The patch of a crossing that has been fitted.
+SurfacePatch PatchDetector::patchOf(int crossing, int lane, double y) const {
+  SurfacePatch patch;
+  patch.has_line = fits_(5, lane) > 0.0;
+  patch.is_planar = fits_(6, lane) > 0.0;
+  if (!patch.is_planar) return patch;
+  patch.plane = {fits_(0, lane), fits_(1, lane), fits_(2, lane)};
+  const double weight = 1.0 / (fits_(4, lane) * fits_(4, lane));
+  patch.squared_error = fits_(3, lane) * weight;
+  const auto row = [&](Sum sum) { return row_sums_(sum, crossing); };
+  const auto column = [&](Sum sum) { return column_sums_(sum, crossing); };
+  const double x = static_cast<double>(x_[static_cast<std::size_t>(lane)]);
   RegressionMoments& m = patch.moments;
-  m.xx = row.tt + x * x * column.n;
-  m.xy = y * row.t + x * column.t;
-  m.yy = y * y * row.n + column.tt;
-  m.x = row.t + x * column.n;
-  m.y = y * row.n + column.t;
-  m.one = m.pixels = row.n + column.n;
-  m.xw = row.tw + x * column.w;
-  m.yw = y * row.w + column.tw;
-  m.w = row.w + column.w;
-  m.ww = row.ww + column.ww;
-  const double squared_error = m.fit(patch.plane);
-  if (squared_error < 0.0) return;
-
-  const DepthTolerance tolerance{parameters.noise, parameters.patches.patch_noise_factor,
-                                 parameters.patches.patch_distance};
-  const double bound = tolerance.at(m.w / m.one, patch.plane.inverseDistance());
-  const double flat = parameters.patches.patch_flatness * bound * bound;
-  const bool row_is_straight = row.squaredErrorOfLine() < flat * row.n;
-  const bool column_is_straight = column.squaredErrorOfLine() < flat * column.n;
-  patch.has_line = row_is_straight || column_is_straight;
-  patch.is_planar = row_is_straight && column_is_straight && squared_error < flat * m.pixels;
-  if (!patch.is_planar) return;
-  patch.moments.scale(1.0 / (bound * bound));
-  patch.squared_error = squared_error / (bound * bound);
+  m.xx = row(kSumTt) + x * x * column(kSumN);
+  m.xy = y * row(kSumT) + x * column(kSumT);
+  m.yy = y * y * row(kSumN) + column(kSumTt);
+  m.x = row(kSumT) + x * column(kSumN);
+  m.y = y * row(kSumN) + column(kSumT);
+  m.one = m.pixels = row(kSumN) + column(kSumN);
+  m.xw = row(kSumTw) + x * column(kSumW);
+  m.yw = y * row(kSumW) + column(kSumTw);
+  m.w = row(kSumW) + column(kSumW);
+  m.ww = row(kSumWw) + column(kSumWw);
+  m.scale(weight);
+  return patch;
 }
 
 void PatchDetector::detect(const DepthImage& depth, const ViewRays& rays, const Parameters& parameters,
@@ -129,23 +99,51 @@ void PatchDetector::detect(const DepthImage& depth, const ViewRays& rays, const 
   grid.spacing = parameters.scanlines.scanline_spacing;
   grid.columns = countAlong(depth.width, grid.spacing);
   grid.rows = countAlong(depth.height, grid.spacing);
-  const std::size_t count = static_cast<std::size_t>(grid.columns) * static_cast<std::size_t>(grid.rows);
-  row_windows_.resize(count);
-  column_windows_.resize(count);
+  const int count = grid.columns * grid.rows;
   const int half_window = parameters.lines.line_window / 2;
-  sumRows(depth, rays, half_window, grid);
-  sumColumns(depth, rays, half_window, grid);
+  row_sums_.resize(count);
+  column_sums_.resize(count);
+  sumWindows(
+      grid, grid.rows, grid.columns, rays.x, half_window,
+      [&](int r, int u) { return depth.at(u, grid.pixelOf(r)); },
+      [&](int r, int c) { return grid.indexOf(c, r); }, row_sums_);
+  sumWindows(
+      grid, grid.columns, grid.rows, rays.y, half_window,
+      [&](int c, int v) { return depth.at(grid.pixelOf(c), v); },
+      [&](int c, int r) { return grid.indexOf(c, r); }, column_sums_);
 
   const double min_points = kMinFilled * (2 * half_window + 1);
-  grid.patches.assign(count, SurfacePatch{});
+  resetLanes(grid.columns);
+  for (int c = 0; c < grid.columns; ++c)
+    x_[static_cast<std::size_t>(c)] = rays.x[static_cast<std::size_t>(grid.pixelOf(c))];
+  grid.patches.clear();
   for (int r = 0; r < grid.rows; ++r) {
     const double y = rays.y[static_cast<std::size_t>(grid.pixelOf(r))];
-    for (int c = 0; c < grid.columns; ++c) {
-      const std::size_t i = static_cast<std::size_t>(grid.indexOf(c, r));
-      if (row_windows_[i].n < min_points || column_windows_[i].n < min_points) continue;
-      fitCrossing(row_windows_[i], column_windows_[i], rays.x[static_cast<std::size_t>(grid.pixelOf(c))], y,
-                  parameters, grid.patches[i]);
+    fit(grid.indexOf(0, r), grid.columns, y, min_points, parameters);
+    for (int c = 0; c < grid.columns; ++c) grid.patches.push_back(patchOf(grid.indexOf(c, r), c, y));
+  }
+}
+
+// The windows of the crossings of a row of the fine grid, its columns being in fine_columns_.
+void PatchDetector::sumFineRow(const DepthImage& depth, const ViewRays& rays, const FinePatches& fine, int v,
+                               int half_window) {
+  const std::size_t lanes = fine_columns_.size();
+  row_sums_.setZero(static_cast<int>(lanes));
+  column_sums_.setZero(static_cast<int>(lanes));
+  const float* z = depth.row(v);
+  for (int k = -half_window; k <= half_window; ++k) {
+    for (std::size_t i = 0; i < lanes; ++i) {
+      const int u = fine.pixelOf(fine_columns_[i]) + k;
+      const bool is_inside = 0 <= u && u < depth.width;
+      z_[i] = is_inside ? z[u] : 0.0F;
+      t_[i] = is_inside ? rays.x[static_cast<std::size_t>(u)] : 0.0F;
     }
+    addPixels(z_.data(), t_.data(), static_cast<int>(lanes), lanesFrom(0, row_sums_));
+  }
+  for (int j = std::max(0, v - half_window); j < std::min(depth.height, v + half_window + 1); ++j) {
+    for (std::size_t i = 0; i < lanes; ++i) z_[i] = depth.at(fine.pixelOf(fine_columns_[i]), j);
+    std::fill(t_.begin(), t_.end(), rays.y[static_cast<std::size_t>(j)]);
+    addPixels(z_.data(), t_.data(), static_cast<int>(lanes), lanesFrom(0, column_sums_));
   }
 }
 
@@ -167,21 +165,26 @@ void PatchDetector::refine(const DepthImage& depth, const ViewRays& rays, const 
   const double min_points = kMinFilled * (2 * half_window + 1);
   for (int r = 0; r < fine.rows; ++r) {
     const int v = fine.pixelOf(r);
+    fine_columns_.clear();
     for (int c = 0; c < fine.columns; ++c) {
-      const int u = fine.pixelOf(c);
-      const std::size_t tile = static_cast<std::size_t>(coarse.indexAt(u, v));
-      if (explained[tile] != 0 || !coarse.patches[tile].has_line) continue;
-      const LineSums row = sumRow(depth, rays, u, v, half_window);
-      const LineSums column = sumColumn(depth, rays, u, v, half_window);
-      if (row.n < min_points || column.n < min_points) continue;
-      SurfacePatch patch;
-      fitCrossing(row, column, rays.x[static_cast<std::size_t>(u)], rays.y[static_cast<std::size_t>(v)],
-                  parameters, patch);
-      if (!patch.is_planar) continue;
-      const int cell = r * fine.columns + c;
+      const std::size_t tile = static_cast<std::size_t>(coarse.indexAt(fine.pixelOf(c), v));
+      if (explained[tile] == 0 && coarse.patches[tile].has_line) fine_columns_.push_back(c);
+    }
+    if (fine_columns_.empty()) continue;
+    const int lanes = static_cast<int>(fine_columns_.size());
+    resetLanes(lanes);
+    for (int i = 0; i < lanes; ++i)
+      x_[static_cast<std::size_t>(i)] =
+          rays.x[static_cast<std::size_t>(fine.pixelOf(fine_columns_[static_cast<std::size_t>(i)]))];
+    sumFineRow(depth, rays, fine, v, half_window);
+    const double y = rays.y[static_cast<std::size_t>(v)];
+    fit(0, lanes, y, min_points, parameters);
+    for (int i = 0; i < lanes; ++i) {
+      if (!(fits_(6, i) > 0.0)) continue;
+      const int cell = r * fine.columns + fine_columns_[static_cast<std::size_t>(i)];
       fine.patch_at[static_cast<std::size_t>(cell)] = static_cast<int>(fine.patches.size());
       fine.cells.push_back(cell);
-      fine.patches.push_back(patch);
+      fine.patches.push_back(patchOf(i, i, y));
     }
   }
 }

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <initializer_list>
 #include <limits>
 #include <vector>
 
@@ -10,6 +11,8 @@
 
 namespace line_plane_segmentation {
 namespace {
+
+constexpr std::initializer_list<double> kRounds = {0.25, 1.0, 1.0};
 
 // A patch on w = a x + b y + c with some noise, its pixels scattered about (x, y).
 SurfacePatch patchOn(const InverseDepthPlane& plane, double x, double y, Random& random) {
@@ -65,12 +68,12 @@ TEST(ClusterForest, MergesTheNeighborsThatLieInOnePlane) {
   ClusterForest forest = fourPatches();
   for (int i = 0; i < 3; ++i) forest.addPair(i, i + 1, 8.0);
   forest.addPair(0, 0, 8.0);
-  forest.mergePairs(8.0);
+  forest.mergePairs(8.0, kRounds);
   EXPECT_EQ(forest.find(0), forest.find(1));
   EXPECT_NE(forest.find(0), forest.find(2));
   EXPECT_NE(forest.find(2), forest.find(3)) << "what is not planar merges with nothing";
   EXPECT_EQ(forest.cluster(forest.find(0)).patches, 2);
-  forest.mergePairs(1e9);
+  forest.mergePairs(1e9, kRounds);
   EXPECT_NE(forest.find(0), forest.find(2)) << "pairs are forgotten";
 }
 
@@ -79,7 +82,7 @@ TEST(ClusterForest, CanBeCleared) {
   forest.addPair(0, 1, 8.0);
   forest.clear();
   EXPECT_EQ(forest.size(), 0);
-  forest.mergePairs(8.0);
+  forest.mergePairs(8.0, kRounds);
   EXPECT_EQ(forest.size(), 0);
 }
 
@@ -95,7 +98,7 @@ TEST(ClusterForest, KnowsWhatItsClustersAreMadeOf) {
       forest.add(patches.back(), 0.01);
     }
     for (int i = 0; i < 60; ++i) forest.addPair(random.integer(0, 29), random.integer(0, 29), 8.0);
-    forest.mergePairs(8.0);
+    forest.mergePairs(8.0, kRounds);
     std::vector<RegressionMoments> sums(30);
     std::vector<int> counts(30, 0);
     for (int i = 0; i < 30; ++i) {

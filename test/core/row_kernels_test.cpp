@@ -12,7 +12,7 @@
 
 #include "line_plane_segmentation/inverse_depth_plane.h"
 #include "line_plane_segmentation/label_runs.h"
-#include "scalar_row_kernels.h"
+#include "scalar_kernels.h"
 #include "support/random.h"
 
 namespace line_plane_segmentation {
@@ -182,6 +182,24 @@ TEST_F(RowKernels, MarkChanges) {
   });
 }
 
+TEST_F(RowKernels, AppendMarked) {
+  forManyRows([&](const Row& row) {
+    std::vector<std::uint8_t> marks(static_cast<std::size_t>(row.count) + 7, 0);
+    const double share = random_.uniform(0.0, 1.0) * random_.uniform(0.0, 1.0);
+    for (int i = 0; i < row.count; ++i) marks[static_cast<std::size_t>(i)] = random_.chance(share) ? 1 : 0;
+    const int begin = random_.integer(0, row.count);
+    std::vector<int> expected = {-1};  // what is there already stays
+    for (int i = begin; i < row.count; ++i) {
+      if (marks[static_cast<std::size_t>(i)] != 0) expected.push_back(i);
+    }
+    std::vector<int> columns(expected.size() + 1, -1);
+    const int* const end = appendMarked(marks.data(), begin, row.count, columns.data() + 1);
+    ASSERT_EQ(end - columns.data(), static_cast<std::ptrdiff_t>(expected.size()));
+    columns.resize(expected.size());
+    ASSERT_EQ(columns, expected);
+  });
+}
+
 TEST_F(RowKernels, PrepareAndAssign) {
   const NoiseParameters noise;
   const double factor = 3.0, distance = 0.01;
@@ -189,26 +207,19 @@ TEST_F(RowKernels, PrepareAndAssign) {
   const RowNoise row_noise{static_cast<float>(factor * noise.floor),
                            static_cast<float>(factor * noise.growth), static_cast<float>(noise.nearest)};
   forManyRows([&](const Row& row) {
-    std::vector<float> inverse = results<float>(row.count), reach = inverse, best = inverse;
-    std::vector<float> twin_inverse = inverse, twin_reach = inverse, twin_best = inverse;
+    std::vector<float> reach = results<float>(row.count), best = reach, twin_reach = reach, twin_best = reach;
     std::vector<std::uint16_t> label = results<std::uint16_t>(row.count), twin_label = label;
-    prepareRow(row.z(), row.count, row_noise, inverse.data(), reach.data(), best.data(), label.data());
-    scalar::prepareRow(row.z(), row.count, row_noise, twin_inverse.data(), twin_reach.data(),
-                       twin_best.data(), twin_label.data());
-    expectSameBits(inverse, twin_inverse, row.count);
+    prepareRow(row.z(), row.count, row_noise, reach.data(), best.data(), label.data());
+    scalar::prepareRow(row.z(), row.count, row_noise, twin_reach.data(), twin_best.data(), twin_label.data());
     expectSameBits(best, twin_best, row.count);
     expectSameBits(label, twin_label, row.count);
     for (std::size_t i = 0; i < static_cast<std::size_t>(row.count); ++i) {
       const double z = row.depth(static_cast<int>(i));
       ASSERT_EQ(label[i], z > 0.0 ? 0 : kNoDepthLabel);
       ASSERT_EQ(best[i], z > 0.0 ? 1.0F : 0.0F);
-      if (!(z > 0.0)) {
-        ASSERT_EQ(inverse[i], 0.0F);
-        continue;
-      }
+      if (!(z > 0.0)) continue;
       ASSERT_EQ(std::memcmp(&reach[i], &twin_reach[i], sizeof(float)), 0);
-      ASSERT_NEAR(static_cast<double>(inverse[i]), 1.0 / z, 1e-6);
-      ASSERT_NEAR(static_cast<double>(reach[i]) * tolerance.along(1.0 / z), 1.0, 1e-4);
+      ASSERT_NEAR(static_cast<double>(reach[i]) * z * tolerance.along(1.0 / z), 1.0, 1e-4);
     }
 
     // Two planes, one after the other: the row's own, and one that it is tilted against.
@@ -218,10 +229,9 @@ TEST_F(RowKernels, PrepareAndAssign) {
                              row.d / static_cast<float>(distance), plane_label};
       const std::vector<float> best_before = best;
       const std::vector<std::uint16_t> label_before = label;
-      assignIfBetter(row.z(), inverse.data(), reach.data(), row.x(), row.count, plane, best.data(),
-                     label.data());
-      scalar::assignIfBetter(row.z(), twin_inverse.data(), twin_reach.data(), row.x(), row.count, plane,
-                             twin_best.data(), twin_label.data());
+      assignIfBetter(row.z(), reach.data(), row.x(), row.count, plane, best.data(), label.data());
+      scalar::assignIfBetter(row.z(), twin_reach.data(), row.x(), row.count, plane, twin_best.data(),
+                             twin_label.data());
       expectSameBits(best, twin_best, row.count);
       expectSameBits(label, twin_label, row.count);
       for (std::size_t i = 0; i < static_cast<std::size_t>(row.count); ++i) {

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "scalar_row_kernels.h"
+#include "scalar_kernels.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstring>
 
 #include "line_plane_segmentation/label_runs.h"
 
@@ -12,6 +15,7 @@ using namespace ::line_plane_segmentation;  // the types are the same
 
 // What it includes is known by now, but for the choice of machines, which this turns off.
 #define LPS_SCALAR_ONLY
+#include "patch_kernels.cpp"
 #include "row_kernels.cpp"
 
 }  // namespace scalar_twin

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "patch_kernels.h"
 #include "row_kernels.h"
 
-/// The functions of row_kernels.h compiled once more, one pixel after the other and for the plainest of
-/// machines.
+/// The functions of row_kernels.h and patch_kernels.h compiled once more, one pixel after the other and for
+/// the plainest of machines.
 namespace scalar_twin {
 namespace line_plane_segmentation {
 
@@ -17,6 +18,8 @@ decltype(::line_plane_segmentation::markChanges) markChanges;
 decltype(::line_plane_segmentation::prepareRow) prepareRow;
 decltype(::line_plane_segmentation::assignIfBetter) assignIfBetter;
 decltype(::line_plane_segmentation::sumRun) sumRun;
+decltype(::line_plane_segmentation::addPixels) addPixels;
+decltype(::line_plane_segmentation::fitCrossings) fitCrossings;
 
 }  // namespace line_plane_segmentation
 }  // namespace scalar_twin

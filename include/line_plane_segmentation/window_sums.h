@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+namespace line_plane_segmentation {
+
+/// A table of numbers that is worked on many columns at a time: a row for each of a few quantities, a column
+/// for each of many things, called lanes. Its memory only grows.
+template <int kRows>
+class LaneTable {
+ public:
+  /// What the numbers are is then undefined.
+  void resize(int lanes) {
+    lanes_ = static_cast<std::size_t>(lanes);
+    if (numbers_.size() < kRows * lanes_) numbers_.resize(kRows * lanes_);
+  }
+
+  void setZero(int lanes) {
+    resize(lanes);
+    std::fill_n(numbers_.begin(), kRows * lanes_, 0.0);
+  }
+
+  /// A row, from a lane on.
+  double* row(int row, int lane = 0) {
+    return numbers_.data() + static_cast<std::size_t>(row) * lanes_ + static_cast<std::size_t>(lane);
+  }
+
+  double operator()(int row, int lane) const {
+    return numbers_[static_cast<std::size_t>(row) * lanes_ + static_cast<std::size_t>(lane)];
+  }
+
+  using Lane = Eigen::Map<Eigen::Array<double, kRows, 1>, 0, Eigen::InnerStride<>>;
+
+  /// All numbers of a lane.
+  Lane lane(int lane) {
+    return Lane(numbers_.data() + lane, Eigen::InnerStride<>(static_cast<Eigen::Index>(lanes_)));
+  }
+
+ private:
+  std::size_t lanes_ = 0;
+  std::vector<double> numbers_;
+};
+
+/// Sums over the pixels of a window of a scanline that have a depth, from which lines and planes are fitted.
+/// One lane a window, a row for each Sum.
+using WindowSums = LaneTable<6>;
+
+/// Of the pixels' number n, ray coordinate t and inverse depth w = 1/z.
+enum Sum : int { kSumN, kSumT, kSumTt, kSumW, kSumTw, kSumWw };
+
+/// The sums of neighbouring windows.
+struct WindowLanes {
+  double *n, *t, *tt, *w, *tw, *ww;
+};
+
+/// Those from a window on.
+inline WindowLanes lanesFrom(int window, WindowSums& sums) {
+  return {sums.row(kSumN, window), sums.row(kSumT, window),  sums.row(kSumTt, window),
+          sums.row(kSumW, window), sums.row(kSumTw, window), sums.row(kSumWw, window)};
+}
+
+}  // namespace line_plane_segmentation

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "line_plane_segmentation/inverse_depth_plane.h"
+#include "line_plane_segmentation/window_sums.h"
+
+/// The loops over windows of scanlines, many windows at a time, each simple enough for the compiler to
+/// vectorise.
+namespace line_plane_segmentation {
+
+/// Adds to each window i a pixel with the ray coordinate t[i], if its z[i] is a depth, that is, not 0.
+void addPixels(const float* z, const float* t, int count, const WindowLanes& sums);
+
+/// What makes a crossing planar.
+struct CrossingBounds {
+  DepthTolerance tolerance;
+  double flatness;    ///< largest mean squared error, in tolerances squared
+  double min_points;  ///< of each window
+};
+
+/// The results for crossings side by side.
+struct CrossingFits {
+  double *a, *b, *c;      ///< InverseDepthPlane
+  double* squared_error;  ///< of the pixels of both windows to the plane
+  double* tolerance;      ///< of their inverse depths
+  double*
+      straight_lines;  ///< how many of the two windows are straight: 0, 1, 2; 0 if the pixels fix no plane
+  double* planar;      ///< 1: both are, and lie in the plane; else 0
+};
+
+/// Fits a plane to each two windows that cross, a row's and a column's.
+/// @param x  ray coordinates of the crossings; all have the same y
+void fitCrossings(const WindowLanes& rows, const WindowLanes& columns, const float* x, double y, int count,
+                  const CrossingBounds& bounds, const CrossingFits& fits);
+
+}  // namespace line_plane_segmentation

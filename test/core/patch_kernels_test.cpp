@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Each kernel twice: against the sums and fits of single windows, and against itself compiled without
+// vectors, bit by bit.
+#include "patch_kernels.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <vector>
+
+#include "scalar_kernels.h"
+#include "support/random.h"
+
+namespace line_plane_segmentation {
+namespace {
+
+namespace scalar = ::scalar_twin::line_plane_segmentation;
+
+using Fits = LaneTable<7>;
+
+CrossingFits rowsOf(Fits& fits) {
+  return {fits.row(0), fits.row(1), fits.row(2), fits.row(3), fits.row(4), fits.row(5), fits.row(6)};
+}
+
+/// Many crossings in a row, their windows looking at planes with noise, some of them with a step or with
+/// holes.
+class Crossings {
+ public:
+  explicit Crossings(Random& random) : count_(random.integer(1, 40)), y_(random.uniform(-0.4, 0.4)) {
+    rows_.setZero(count_);
+    columns_.setZero(count_);
+    twin_rows_ = rows_;
+    twin_columns_ = columns_;
+    pixels_.resize(static_cast<std::size_t>(count_));
+    std::vector<float> z(pixels_.size()), t(pixels_.size());
+    std::vector<InverseDepthPlane> planes(pixels_.size());
+    for (InverseDepthPlane& plane : planes) {
+      plane = {random.uniform(-0.5, 0.5), random.uniform(-0.5, 0.5), random.uniform(0.3, 1.5)};
+      x_.push_back(static_cast<float>(random.uniform(-0.5, 0.5)));
+    }
+    for (const bool along_row : {true, false}) {
+      const double step = random.chance(0.3) ? 0.05 : 0.0;
+      for (int k = -5; k <= 5; ++k) {
+        for (std::size_t i = 0; i < pixels_.size(); ++i) {
+          const double x = static_cast<double>(x_[i]) + (along_row ? 0.002 * k : 0.0);
+          const double y = y_ + (along_row ? 0.0 : 0.002 * k);
+          const double w =
+              planes[i].at(x, y) + random.uniform(-0.002, 0.002) + (k > 0 && i % 3 == 0 ? step : 0.0);
+          z[i] = random.chance(i % 4 == 0 ? 0.5 : 0.05) || w <= 0.0 ? 0.0F : static_cast<float>(1.0 / w);
+          t[i] = static_cast<float>(along_row ? x : y);
+          add(i, z[i], along_row ? static_cast<double>(t[i]) : static_cast<double>(x_[i]),
+              along_row ? y_ : static_cast<double>(t[i]), along_row);
+        }
+        addPixels(z.data(), t.data(), count_, lanesFrom(0, along_row ? rows_ : columns_));
+        scalar::addPixels(z.data(), t.data(), count_, lanesFrom(0, along_row ? twin_rows_ : twin_columns_));
+      }
+    }
+  }
+
+  int count_;
+  double y_;
+  std::vector<float> x_;
+  WindowSums rows_, columns_, twin_rows_, twin_columns_;
+
+  struct Pixels {
+    RegressionMoments both;
+    std::vector<Eigen::Vector2d> row, column;  // (t, w)
+  };
+  std::vector<Pixels> pixels_;
+
+ private:
+  void add(std::size_t i, float z, double x, double y, bool along_row) {
+    if (!(z > 0.0F)) return;
+    const double w = 1.0 / static_cast<double>(z);
+    pixels_[i].both += RegressionMoments{x * x, x * y, y * y, x, y, 1.0, x * w, y * w, w, w * w, 1.0};
+    (along_row ? pixels_[i].row : pixels_[i].column).emplace_back(along_row ? x : y, w);
+  }
+};
+
+template <int kRows>
+bool isSame(LaneTable<kRows>& a, LaneTable<kRows>& b, int lanes) {
+  return std::memcmp(a.row(0), b.row(0), sizeof(double) * kRows * static_cast<std::size_t>(lanes)) == 0;
+}
+
+/// The mean squared error of the line through points, the plain way.
+double squaredErrorOfLine(const std::vector<Eigen::Vector2d>& points) {
+  Eigen::Vector2d mean = Eigen::Vector2d::Zero();
+  for (const Eigen::Vector2d& point : points) mean += point / static_cast<double>(points.size());
+  Eigen::Matrix2d scatter = Eigen::Matrix2d::Zero();
+  for (const Eigen::Vector2d& point : points) scatter += (point - mean) * (point - mean).transpose();
+  const double slope = scatter(0, 1) / scatter(0, 0);
+  double error = 0.0;
+  for (const Eigen::Vector2d& point : points)
+    error += std::pow(point.y() - mean.y() - slope * (point.x() - mean.x()), 2);
+  return error;
+}
+
+TEST(PatchKernels, SumsAreThoseOfThePixelsWithADepth) {
+  for (std::uint64_t seed = 1; seed <= 100; ++seed) {
+    Random random(seed);
+    Crossings crossings(random);
+    ASSERT_TRUE(isSame(crossings.rows_, crossings.twin_rows_, crossings.count_));
+    ASSERT_TRUE(isSame(crossings.columns_, crossings.twin_columns_, crossings.count_));
+    const WindowLanes row = lanesFrom(0, crossings.rows_);
+    for (std::size_t i = 0; i < crossings.pixels_.size(); ++i) {
+      double t = 0.0, tt = 0.0, w = 0.0, tw = 0.0, ww = 0.0;
+      for (const Eigen::Vector2d& pixel : crossings.pixels_[i].row) {
+        t += pixel.x();
+        tt += pixel.x() * pixel.x();
+        w += pixel.y();
+        tw += pixel.x() * pixel.y();
+        ww += pixel.y() * pixel.y();
+      }
+      ASSERT_EQ(row.n[i], static_cast<double>(crossings.pixels_[i].row.size()));
+      ASSERT_NEAR(row.t[i], t, 1e-12);
+      ASSERT_NEAR(row.tt[i], tt, 1e-12);
+      ASSERT_NEAR(row.w[i], w, 1e-12);
+      ASSERT_NEAR(row.tw[i], tw, 1e-12);
+      ASSERT_NEAR(row.ww[i], ww, 1e-12);
+    }
+  }
+}
+
+TEST(PatchKernels, CrossingsAreLeastSquares) {
+  const CrossingBounds bounds{DepthTolerance{NoiseParameters{}, 1.6, 0.004}, 1.2, 7.7};
+  int planar = 0, straight = 0, none = 0;
+  for (std::uint64_t seed = 1; seed <= 200; ++seed) {
+    Random random(seed);
+    Crossings crossings(random);
+    Fits fits, twin;
+    fits.setZero(crossings.count_);
+    twin.setZero(crossings.count_);
+    fitCrossings(lanesFrom(0, crossings.rows_), lanesFrom(0, crossings.columns_), crossings.x_.data(),
+                 crossings.y_, crossings.count_, bounds, rowsOf(fits));
+    scalar::fitCrossings(lanesFrom(0, crossings.rows_), lanesFrom(0, crossings.columns_), crossings.x_.data(),
+                         crossings.y_, crossings.count_, bounds, rowsOf(twin));
+    ASSERT_TRUE(isSame(fits, twin, crossings.count_));
+    for (std::size_t i = 0; i < crossings.pixels_.size(); ++i) {
+      const Crossings::Pixels& pixels = crossings.pixels_[i];
+      const int lane = static_cast<int>(i);
+      if (std::min(pixels.row.size(), pixels.column.size()) < 8) {
+        ASSERT_EQ(fits(5, lane), 0.0);
+        ASSERT_EQ(fits(6, lane), 0.0);
+        ++none;
+        continue;
+      }
+      InverseDepthPlane plane;
+      const double squared_error = pixels.both.fit(plane);
+      ASSERT_NEAR(fits(0, lane), plane.a, 1e-7);
+      ASSERT_NEAR(fits(1, lane), plane.b, 1e-7);
+      ASSERT_NEAR(fits(2, lane), plane.c, 1e-7);
+      ASSERT_NEAR(fits(3, lane), squared_error, 1e-10);
+      const double tolerance = bounds.tolerance.at(pixels.both.w / pixels.both.one, plane.inverseDistance());
+      ASSERT_NEAR(fits(4, lane), tolerance, 1e-9);
+      const double flat = bounds.flatness * tolerance * tolerance;
+      const double row = squaredErrorOfLine(pixels.row) / (flat * static_cast<double>(pixels.row.size()));
+      const double column =
+          squaredErrorOfLine(pixels.column) / (flat * static_cast<double>(pixels.column.size()));
+      const double both = squared_error / (flat * pixels.both.pixels);
+      if (std::min({std::abs(row - 1.0), std::abs(column - 1.0), std::abs(both - 1.0)}) < 1e-6) continue;
+      ASSERT_EQ(fits(5, lane), (row < 1.0 ? 1.0 : 0.0) + (column < 1.0 ? 1.0 : 0.0));
+      const bool is_planar = row < 1.0 && column < 1.0 && both < 1.0;
+      ASSERT_EQ(fits(6, lane), is_planar ? 1.0 : 0.0);
+      ++(is_planar ? planar : straight);
+    }
+  }
+  EXPECT_GT(planar, 500);
+  EXPECT_GT(straight, 100);
+  EXPECT_GT(none, 100);
+}
+
+TEST(PatchKernels, WindowsThatFixNoPlaneAreNotPlanar) {
+  const CrossingBounds bounds{DepthTolerance{NoiseParameters{}, 1.6, 0.004}, 1.2, 0.0};
+  WindowSums nothing;
+  nothing.setZero(3);
+  Fits fits;
+  fits.resize(3);
+  const std::vector<float> x(3, 0.1F);
+  fitCrossings(lanesFrom(0, nothing), lanesFrom(0, nothing), x.data(), 0.2, 3, bounds, rowsOf(fits));
+  for (int i = 0; i < 3; ++i) EXPECT_EQ(fits(5, i) + fits(6, i), 0.0);
+
+  // All pixels of a row's window at one ray, as of an image without a focal length.
+  const std::vector<float> z(3, 1.0F);
+  for (int k = 0; k < 9; ++k) addPixels(z.data(), x.data(), 3, lanesFrom(0, nothing));
+  WindowSums columns = nothing;
+  fitCrossings(lanesFrom(0, nothing), lanesFrom(0, columns), x.data(), 0.1, 3, bounds, rowsOf(fits));
+  for (int i = 0; i < 3; ++i) EXPECT_EQ(fits(5, i) + fits(6, i), 0.0);
+
+  fitCrossings(lanesFrom(0, nothing), lanesFrom(0, columns), x.data(), 0.1, 0, bounds, rowsOf(fits));
+  addPixels(nullptr, nullptr, 0, lanesFrom(0, columns));
+}
+
+}  // namespace
+}  // namespace line_plane_segmentation
