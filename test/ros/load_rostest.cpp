@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// More and more VGA cameras in one manager, each with its own segmenter, at 30 Hz: what is not answered is
+// dropped, and every drop is counted in the diagnostics; the newest frame goes first. The numbers of cameras
+// are ~cameras, each for ~seconds. Of times it only tells.
+#include <gtest/gtest.h>
+#include <line_plane_segmentation/PlaneArray.h>
+#include <ros/callback_queue.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "nodelet_calls.h"
+#include "simulated_frames.h"
+#include "test_camera.h"
+#include "test_process.h"
+#include "test_reports.h"
+
+namespace line_plane_segmentation {
+namespace {
+
+constexpr double kRate = 30.0;  // [Hz]
+
+double now() { return ros::SteadyTime::now().toSec(); }
+
+/// A camera in a room of its own, its segmenter, and who wants its planes.
+class Side {
+ public:
+  explicit Side(int number)
+      : name_("/camera_" + std::to_string(number)),
+        camera_(name_),
+        diagnostics_((name_ + "/plane_segmenter").substr(1)),
+        frames_(simulatedFrames(static_cast<std::uint64_t>(number), 10, 640, 480)),
+        planes_(ros::NodeHandle().subscribe<PlaneArray>(
+            name_ + "/plane_segmenter/planes", 1000,
+            [this](const PlaneArray::ConstPtr& planes) { take(*planes); })) {}
+  Side(const Side&) = delete;
+  Side& operator=(const Side&) = delete;
+  ~Side() { unloadSegmenter(name_ + "/plane_segmenter"); }
+
+  bool start() const { return loadSegmenter(name_ + "/plane_segmenter") && camera_.waitForSubscriber(); }
+
+  // The stamp tells when it was sent.
+  void publish() {
+    const TestFrame& frame = frames_[static_cast<std::size_t>(sent_) % frames_.size()];
+    camera_.publish(frame.image, frame.info, ros::Time(now()));
+    ++sent_;
+  }
+
+  /// Waits until the frames on their way have been answered or dropped, and the diagnostics tell of it.
+  void settle() {
+    waitUntil([&] { return sent_ == static_cast<int>(delays_.size()); }, 0.5);
+    EXPECT_TRUE(diagnostics_.waitForReport());
+  }
+
+  void forget() {
+    dropped_before_ = droppedSinceTheStart();
+    sent_ = 0;
+    delays_.clear();
+  }
+
+  int sent() const { return sent_; }
+  int dropped() const { return droppedSinceTheStart() - dropped_before_; }
+  const std::vector<double>& delays() const { return delays_; }
+
+ private:
+  int droppedSinceTheStart() const {
+    const std::string value = diagnostics_.value("frames dropped");
+    return value.empty() ? 0 : std::stoi(value);
+  }
+
+  void take(const PlaneArray& planes) {
+    EXPECT_GT(planes.header.stamp, newest_) << name_ << " answers an older frame after a newer one";
+    newest_ = planes.header.stamp;
+    delays_.push_back(now() - newest_.toSec());
+  }
+
+  std::string name_;
+  TestCamera camera_;
+  Diagnostics diagnostics_;
+  std::vector<TestFrame> frames_;
+  int sent_ = 0, dropped_before_ = 0;
+  ros::Time newest_;
+  std::vector<double> delays_;  // [s] of the answers
+  ros::Subscriber planes_;
+};
+
+class Load : public testing::Test {
+ protected:
+  void SetUp() override {
+    ASSERT_TRUE(ros::service::waitForService("/manager/load_nodelet", 15000));
+    manager_ = processOfNode("/manager");
+    ASSERT_GT(manager_, 0);
+  }
+
+  void addCameras(int count) {
+    while (static_cast<int>(sides_.size()) < count) {
+      sides_.push_back(std::make_unique<Side>(static_cast<int>(sides_.size()) + 1));
+      ASSERT_TRUE(sides_.back()->start());
+    }
+  }
+
+  // The cameras take turns, as such that do not know of each other do on average.
+  void publishFor(double seconds) {
+    const double start = now();
+    const double pause = 1.0 / kRate / static_cast<double>(sides_.size());
+    const int count = static_cast<int>(seconds / pause);
+    for (int i = 0; i < count && ros::ok(); ++i) {
+      sides_[static_cast<std::size_t>(i) % sides_.size()]->publish();
+      for (double left = 0.0; left >= 0.0; left = start + (i + 1) * pause - now()) {
+        ros::getGlobalCallbackQueue()->callAvailable(ros::WallDuration(left));
+      }
+    }
+  }
+
+  void measure(double seconds) {
+    publishFor(1.0);
+    for (const auto& side : sides_) side->settle();
+    for (const auto& side : sides_) side->forget();
+    const double used_before = processorSeconds(manager_);
+    const double start = now();
+    publishFor(seconds);
+    const double used = (processorSeconds(manager_) - used_before) / (now() - start);
+    EXPECT_GT(used, 0.0);
+    for (const auto& side : sides_) side->settle();
+    report(used);
+  }
+
+  void report(double used) const {
+    int sent = 0, answered = 0, dropped = 0;
+    std::vector<double> delays;
+    for (const auto& side : sides_) {
+      EXPECT_EQ(side->sent(), static_cast<int>(side->delays().size()) + side->dropped());
+      EXPECT_GT(side->delays().size(), 0U);
+      sent += side->sent();
+      answered += static_cast<int>(side->delays().size());
+      dropped += side->dropped();
+      delays.insert(delays.end(), side->delays().begin(), side->delays().end());
+    }
+    std::sort(delays.begin(), delays.end());
+    ASSERT_FALSE(delays.empty());
+    double machine_load = 0.0;
+    EXPECT_EQ(1, getloadavg(&machine_load, 1));
+    std::printf("| %zu | %d | %d | %d | %.1f | %.1f | %.0f %% | %.1f |\n", sides_.size(), sent, answered,
+                dropped, 1e3 * delays[delays.size() / 2], 1e3 * delays.back(), 100.0 * used, machine_load);
+    std::fflush(stdout);
+  }
+
+  int manager_ = -1;
+  std::vector<std::unique_ptr<Side>> sides_;
+};
+
+TEST_F(Load, everyFrameIsAnsweredOrCountedAsDropped) {
+  std::vector<int> counts = {2};
+  ros::param::get("~cameras", counts);
+  const double seconds = ros::param::param("~seconds", 3.0);
+  std::printf(
+      "| cameras | sent | answered | dropped | median delay/ms | worst/ms | manager's processor time | load "
+      "|\n"
+      "|--:|--:|--:|--:|--:|--:|--:|--:|\n");
+  for (const int count : counts) {
+    ASSERT_NO_FATAL_FAILURE(addCameras(count));
+    measure(seconds);
+  }
+}
+
+}  // namespace
+}  // namespace line_plane_segmentation
+
+int main(int argc, char** argv) {
+  testing::InitGoogleTest(&argc, argv);
+  ros::init(argc, argv, "load_rostest");
+  const ros::NodeHandle keeps_ros_running;
+  return RUN_ALL_TESTS();
+}
