@@ -10,6 +10,12 @@
 namespace line_plane_segmentation {
 namespace {
 
+// Images may be so wide that what goes with the square of their width has no int.
+int roundedToCount(double value) {
+  constexpr double kMost = 1e9;
+  return static_cast<int>(std::lround(std::clamp(value, 1.0, kMost)));
+}
+
 // The paper's values at its two image widths. `exponent` tells how the value goes with the width beyond them.
 int fromWidth(double at_qvga, double at_vga, double exponent, int width) {
   const double w = width;
@@ -21,7 +27,7 @@ int fromWidth(double at_qvga, double at_vga, double exponent, int width) {
   } else {
     value = at_qvga * std::pow(at_vga / at_qvga, std::log2(w / 320.0));
   }
-  return std::max(1, static_cast<int>(std::lround(value)));
+  return roundedToCount(value);
 }
 
 void setIfZero(int& value, int automatic) {
@@ -112,7 +118,7 @@ Parameters resolve(const Parameters& parameters, int width) {
   setIfZero(p.lines.min_line_points, fromWidth(23, 30, 1.0, w));
   setIfZero(p.candidates.normal_window, std::max(6, fromWidth(20, 20, 1.0, w)));
   setIfZero(p.candidates.min_window_points,
-            static_cast<int>(std::lround(0.6 * p.candidates.normal_window * p.candidates.normal_window)));
+            roundedToCount(0.6 * p.candidates.normal_window * p.candidates.normal_window));
   setIfZero(p.extraction.min_plane_inliers, fromWidth(1000, 5000, 2.0, w));
   return p;
 }

@@ -36,14 +36,15 @@ Summary summarize(const NodeletStatus& status, TimePoint now) {
   const TimePoint alive = std::max(status.input.subscribed, status.input.frame);
   const bool late = now - alive >= kPatience;
   if (late || status.input.frame == TimePoint{}) {
-    return {late ? DiagnosticStatus::WARN : DiagnosticStatus::OK, missingInput(status, now)};
+    const std::uint8_t level = late ? DiagnosticStatus::WARN : DiagnosticStatus::OK;
+    return {level, missingInput(status, now)};
   }
 
   const FrameReport& frames = status.frames;
   if (frames.last_refusal != Refusal::kNone) {
     const bool hopeless = frames.last_refusal == Refusal::kNoIntrinsics;
-    return {hopeless ? DiagnosticStatus::ERROR : DiagnosticStatus::WARN,
-            std::string("refused (") + nameOf(frames.last_refusal) + "): " + frames.last_problem};
+    const std::uint8_t level = hopeless ? DiagnosticStatus::ERROR : DiagnosticStatus::WARN;
+    return {level, std::string("refused (") + nameOf(frames.last_refusal) + "): " + frames.last_problem};
   }
   if (!frames.last_problem.empty()) {
     return {DiagnosticStatus::ERROR, "processing failed: " + frames.last_problem};

@@ -2,6 +2,7 @@
 // What resolve() makes of an image's width; the rest of parameters.h is tested in parameters_test.cpp.
 #include <gtest/gtest.h>
 
+#include <limits>
 #include <vector>
 
 #include "line_plane_segmentation/parameters.h"
@@ -99,6 +100,13 @@ TEST_P(ResolveForMethod, DoneTwiceIsDoneOnce) {
 
 TEST_P(ResolveForMethod, LeavesNothingAutomaticEvenAtNoWidth) {
   for (const int width : {-5, 0, 1, 2, 20}) {
+    for (const int value : automaticValues(at(width))) EXPECT_GE(value, 1) << width;
+  }
+}
+
+// What goes with the square of the width is more than an int holds.
+TEST_P(ResolveForMethod, KeepsTheCountsOfTheWidestImagesPositive) {
+  for (const int width : {1'000'000, 3'482'621, 1 << 24, std::numeric_limits<int>::max()}) {
     for (const int value : automaticValues(at(width))) EXPECT_GE(value, 1) << width;
   }
 }

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "frame_run.h"
+
+#include <gtest/gtest.h>
+
+#include "drawn_parameters.h"
+#include "line_plane_segmentation/depth_image.h"
+#include "output_checks.h"
+#include "support/segmentation_checks.h"
+
+namespace line_plane_segmentation {
+namespace {
+
+// So that no frame takes long.
+constexpr InputLimits kLimits{4096};
+
+// Holds no transforms and is never asked: what tf tells comes from the bytes, too.
+tf2::BufferCore& noTransforms() {
+  static tf2::BufferCore buffer;
+  return buffer;
+}
+
+TransformLookup drawTransform(ByteReader& bytes) {
+  TransformLookup lookup;
+  if (bytes.chance(32)) return lookup;
+  lookup.answer = TransformLookup::Answer::kFound;
+  const Eigen::Vector3d axis(bytes.uniform(-1.0, 1.0), bytes.uniform(-1.0, 1.0), bytes.uniform(0.1, 1.0));
+  lookup.transform.linear() =
+      Eigen::AngleAxisd(bytes.uniform(0.0, 3.2), axis.normalized()).toRotationMatrix();
+  for (int i = 0; i < 3; ++i) lookup.transform.translation()[i] = bytes.uniform(0.0, 10.0);
+  return lookup;
+}
+
+void expectSoundSegmentation(const FrameSegmenter& segmenter) {
+  DepthImage depth;
+  loadDepth(segmenter.input().view, segmenter.range(), depth);
+  expectConsistent(segmenter.segmentation(), depth);
+}
+
+}  // namespace
+
+FrameRun::FrameRun(ByteReader& bytes) : FrameRun(drawParameters(bytes)) {
+  locator_.setParameters(drawLocationParameters(bytes));
+}
+
+FrameRun::FrameRun(const Parameters& parameters)
+    : parameters_(parameters), segmenter_(kLimits), locator_(noTransforms()) {
+  segmenter_.setParameters(parameters_);
+}
+
+void FrameRun::process(const CameraFrame& frame, ByteReader& bytes) {
+  const Validation& input = segmenter_.segment(frame);
+  expectExplained(input, segmenter_.explanation(frame));
+  if (!input.accepted()) return;
+  expectSoundSegmentation(segmenter_);
+  const CameraPlaces places{drawTransform(bytes), drawTransform(bytes), drawTransform(bytes)};
+  const PublishedPlanes& published =
+      locator_.locate(segmenter_.segmentation(), input.camera, segmenter_.header(), places);
+  expectSoundMessages(segmenter_, published);
+}
+
+void FrameRun::expectRepeatable(const CameraFrame& frame) {
+  FrameSegmenter other(kLimits);
+  other.setParameters(parameters_);
+  EXPECT_EQ(other.segment(frame).refusal, segmenter_.segment(frame).refusal);
+  if (other.input().accepted()) expectSameBits(other.segmentation(), segmenter_.segmentation());
+}
+
+}  // namespace line_plane_segmentation

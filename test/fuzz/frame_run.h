@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <tf2/buffer_core.h>
+
+#include "byte_reader.h"
+#include "frame_segmenter.h"
+#include "plane_locator.h"
+
+namespace line_plane_segmentation {
+
+/// The way of frames through the nodelet, without topics and threads; expects at every step what is promised.
+class FrameRun {
+ public:
+  /// Draws the parameters.
+  explicit FrameRun(ByteReader& bytes);
+  explicit FrameRun(const Parameters& parameters);
+
+  /// @param bytes  from which come the places that tf tells
+  void process(const CameraFrame& frame, ByteReader& bytes);
+
+  /// Expects that the frame comes out the same here and in a segmenter that has seen nothing before.
+  void expectRepeatable(const CameraFrame& frame);
+
+ private:
+  Parameters parameters_;
+  FrameSegmenter segmenter_;
+  PlaneLocator locator_;
+};
+
+}  // namespace line_plane_segmentation
