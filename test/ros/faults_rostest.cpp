@@ -4,10 +4,13 @@
 #include <gtest/gtest.h>
 #include <line_plane_segmentation/PlaneArray.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <random>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "test_camera.h"
@@ -128,6 +131,98 @@ TEST_F(Faults, saysWhenThereIsNoDepth) {
            diagnostics_.newest().message.find("no pixel has a depth") != std::string::npos;
   }));
   expectThatGoodFramesWork();
+}
+
+// Rows 5, 7, 8: all show the plane.
+TEST_F(Faults, takesUnusualImages) {
+  Image padded = testImage(kWidth, kHeight, "16UC1");
+  padded.step += 3;  // the second row begins between two pixels
+  padded.data.resize(std::size_t{padded.step} * kHeight);
+  Image big_endian = good_;
+  big_endian.is_bigendian = 1;
+  for (std::uint32_t v = 0; v < kHeight; ++v) {
+    const auto row = good_.data.begin() + v * std::ptrdiff_t{good_.step};
+    std::copy(row, row + good_.step, padded.data.begin() + v * std::ptrdiff_t{padded.step});
+  }
+  for (std::size_t i = 0; i < big_endian.data.size(); i += 2) {
+    std::swap(big_endian.data[i], big_endian.data[i + 1]);
+  }
+  Image longer = good_;
+  longer.data.resize(longer.data.size() + 1001);
+  for (const Image& image :
+       {padded, big_endian, longer, imageOfPlane(kWidth, kHeight, "mono16", kNormal, kDistance),
+        imageOfPlane(kWidth, kHeight, "32FC1", kNormal, kDistance)}) {
+    publishAndExpectThePlane(image, info_);
+  }
+  expectThatGoodFramesWork();
+}
+
+// Row 9.
+TEST_F(Faults, passesOverWhatIsNoDepth) {
+  Image image = imageOfPlane(kWidth, kHeight, "32FC1", kNormal, kDistance);
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  std::uint32_t u = 0;
+  for (const double z : {std::nan(""), kInfinity, -kInfinity, 0.0, -0.0, -1.5, 1e-40, 1e30}) {
+    for (std::uint32_t v = 0; v < kHeight; ++v) setDepth(image, u, v, z);
+    u += 7;
+  }
+  publishAndExpectThePlane(image, info_);
+  expectThatGoodFramesWork();
+}
+
+// Row 11.
+TEST_F(Faults, asksOnceIfMetresAreMillimetres) {
+  const Image image = imageOfPlane(kWidth, kHeight, "32FC1", kNormal, 1000.0 * kDistance);
+  for (int i = 0; i < 3; ++i) {
+    const ros::Time stamp = nextStamp();
+    camera_.publish(image, info_, stamp);
+    ASSERT_TRUE(planes_.waitFor(stamp));
+    EXPECT_TRUE(planes_.newest()->planes.empty());
+  }
+  expectThatGoodFramesWork();
+  EXPECT_EQ(1, log_.warnings("are they in millimetres?"));
+}
+
+// Row 12.
+TEST_F(Faults, findsLittleInNoise) {
+  Image image = testImage(kWidth, kHeight, "16UC1");
+  std::mt19937 random(1);
+  for (std::uint32_t v = 0; v < kHeight; ++v) {
+    for (std::uint32_t u = 0; u < kWidth; ++u)
+      setDepth(image, u, v, 1.0 + 1e-3 * static_cast<double>(random() % 2000));
+  }
+  const ros::Time stamp = nextStamp();
+  camera_.publish(image, info_, stamp);
+  ASSERT_TRUE(planes_.waitFor(stamp));
+  EXPECT_LE(planes_.newest()->planes.size(), 1U);
+  expectThatGoodFramesWork();
+}
+
+// Rows 13, 14.
+TEST_F(Faults, takesOtherSizesInTheMidstOfTheStream) {
+  for (const auto& [width, height] : std::vector<std::pair<std::uint32_t, std::uint32_t>>{
+           {640, 480}, {320, 240}, {641, 479}, {3840, 2160}, {160, 120}, {640, 480}}) {
+    SCOPED_TRACE(width);
+    publishAndExpectThePlane(imageOfPlane(width, height, "16UC1", kNormal, kDistance),
+                             testInfo(width, height));
+  }
+  for (const auto& [width, height] :
+       std::vector<std::pair<std::uint32_t, std::uint32_t>>{{1, 1}, {1, 480}, {640, 1}, {2, 2}}) {
+    const ros::Time stamp = nextStamp();
+    camera_.publish(imageOfPlane(width, height, "16UC1", kNormal, kDistance), testInfo(width, height), stamp);
+    ASSERT_TRUE(planes_.waitFor(stamp));
+    EXPECT_TRUE(planes_.newest()->planes.empty());
+  }
+  expectThatGoodFramesWork();
+}
+
+// Row 19.
+TEST_F(Faults, saysOnceThatImagesAreNotRectified) {
+  CameraInfo info = info_;
+  info.D[0] = 0.1;
+  for (int i = 0; i < 3; ++i) publishAndExpectThePlane(good_, info);
+  expectThatGoodFramesWork();
+  EXPECT_EQ(1, log_.warnings("has distortion"));
 }
 
 // Row 16.
