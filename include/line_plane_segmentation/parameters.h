@@ -95,6 +95,8 @@ struct ClusterParameters {
                                ///< Higher -> more is joined across gaps
   double max_curvedness = 1.2;  ///< [-] largest mean squared error of a small plane, in tolerances squared.
                                 ///< Higher -> pieces of curved things, as people, count as planes
+  double max_waviness = 0.45;   ///< [-] mean square that the patches of a small plane may deviate from it, in
+                                ///< tolerances squared. Higher -> people and rough things count as planes
   double max_bend = 0.1;  ///< [-] mean square that a small plane may deviate as a curved surface would, in
                           ///< tolerances squared. Higher -> pieces of smooth curved things count as planes
   int min_patches = 4;    ///< [-] smallest plane in patches. Higher -> only large planes
@@ -160,6 +162,7 @@ void visitParameters(ParametersType& p, Visitor&& visitor) {
   visitor("merge_cost", p.clusters.merge_cost, 0.0, 1000.0);
   visitor("coplanar_cost", p.clusters.coplanar_cost, 0.0, 1000.0);
   visitor("max_curvedness", p.clusters.max_curvedness, 0.01, 1000.0);
+  visitor("max_waviness", p.clusters.max_waviness, 0.0, 1000.0);
   visitor("max_bend", p.clusters.max_bend, 0.0, 1000.0);
   visitor("min_patches", p.clusters.min_patches, 1, 1000);
   visitor("min_region_pixels", p.cleanup.min_region_pixels, 0, 100000);

@@ -29,8 +29,8 @@ class PatchClusterer {
   void addFine(const PatchLevels& levels, double limit);
   void trim(const PatchLevels& levels, int min_patches, std::vector<PatchCluster>& clusters,
             std::vector<int>& cluster_of);
-  void dropBent(const PatchLevels& levels, double max_bend, std::vector<PatchCluster>& clusters,
-                std::vector<int>& cluster_of);
+  void dropUneven(const PatchLevels& levels, const ClusterParameters& parameters,
+                  std::vector<PatchCluster>& clusters, std::vector<int>& cluster_of);
 
   ClusterForest forest_;
   CoplanarMerger coplanar_merger_;

@@ -25,17 +25,30 @@ constexpr double kJoinCost = 0.5;  // of merge_cost
 // So many times as many fine patches as coarse ones are found on narrow surfaces only.
 constexpr double kNarrowFine = 1.5;
 
-// A cluster is curved if a quadratic surface leaves less than so much of its deviations from the plane.
-constexpr double kBentRest = 0.25;
+// A cluster is curved if a quadratic surface leaves less than so much of its deviations from the plane; less,
+// if it fills so much of the picture that the sensor may bend it. One that fills even more is always a plane.
+constexpr double kBentRest = 0.25, kBentRestOfLarge = 0.1;
+constexpr double kLargeShare = 0.05, kNeverUnevenShare = 0.1;
 constexpr int kMinBendPoints = 8;
-constexpr double kMaxBentShare = 0.05;  // of the picture; what fills more of it may be bent by the sensor
-constexpr double kBendUnit = 0.01;      // [1/px] keeps fourth powers near 1
+constexpr double kBendUnit = 0.01;  // [1/px] keeps fourth powers near 1
+
+// What a bound for small planes grows to for one that fills a share of the picture.
+double allowDistortion(double bound, double share) { return bound * (1.0 + share / kDistortedShare); }
 
 // Whether a cluster is large and flat enough.
 bool isPlane(const PatchCluster& cluster, const ClusterParameters& parameters) {
-  const double max_error = parameters.max_curvedness * (1.0 + cluster.share / kDistortedShare);
   return cluster.patches >= parameters.min_patches &&
-         cluster.squared_error <= max_error * cluster.moments.pixels;
+         cluster.squared_error <=
+             allowDistortion(parameters.max_curvedness, cluster.share) * cluster.moments.pixels;
+}
+
+// Whether the patches of a cluster lie on another surface than a plane.
+bool isUneven(const SurfaceBend& bend, double share, const ClusterParameters& parameters) {
+  if (bend.points() < kMinBendPoints) return false;
+  const SurfaceBend::Residuals rest = bend.fit();
+  if (rest.plane > allowDistortion(parameters.max_waviness, share)) return true;
+  const double bent_rest = share > kLargeShare ? kBentRestOfLarge : kBentRest;
+  return rest.plane - rest.quadric > parameters.max_bend && rest.quadric < bent_rest * rest.plane;
 }
 
 // The mean deviation of a patch from a plane, in tolerances.
@@ -128,26 +141,23 @@ void PatchClusterer::trim(const PatchLevels& levels, int min_patches, std::vecto
   }
 }
 
-// Takes away the clusters that are curved, as people and cushions are. One that fills more of the picture may
-// be bent by the sensor.
-void PatchClusterer::dropBent(const PatchLevels& levels, double max_bend, std::vector<PatchCluster>& clusters,
-                              std::vector<int>& cluster_of) {
+// Takes away the clusters that are no planes but curved, as people and cushions are, or uneven. A cluster's
+// mean squared error hides that behind its pixels' noise; the patches, each a mean over many pixels, show it.
+void PatchClusterer::dropUneven(const PatchLevels& levels, const ClusterParameters& parameters,
+                                std::vector<PatchCluster>& clusters, std::vector<int>& cluster_of) {
   bends_.assign(clusters.size(), SurfaceBend{});
   for (int i = 0; i < levels.count(); ++i) {
     const int cluster = cluster_of[static_cast<std::size_t>(i)];
     if (cluster < 0) continue;
     const std::size_t k = static_cast<std::size_t>(cluster);
-    if (clusters[k].share > kMaxBentShare) continue;
+    if (clusters[k].share > kNeverUnevenShare) continue;
     bends_[k].add(kBendUnit * levels.u(i), kBendUnit * levels.v(i),
                   deviationOf(levels.patch(i).moments, clusters[k].plane));
   }
   new_index_.assign(clusters.size(), -1);
   int kept = 0;
   for (std::size_t k = 0; k < clusters.size(); ++k) {
-    if (bends_[k].points() >= kMinBendPoints) {
-      const SurfaceBend::Residuals rest = bends_[k].fit();
-      if (rest.plane - rest.quadric > max_bend && rest.quadric < kBentRest * rest.plane) continue;
-    }
+    if (isUneven(bends_[k], clusters[k].share, parameters)) continue;
     new_index_[k] = kept;
     clusters[static_cast<std::size_t>(kept++)] = clusters[k];
   }
@@ -173,7 +183,7 @@ void PatchClusterer::cluster(const DepthImage& depth, const ViewRays& rays, cons
     cluster_of[static_cast<std::size_t>(i)] = cluster_of[static_cast<std::size_t>(forest_.find(i))];
   }
   trim(levels, parameters.clusters.min_patches, clusters, cluster_of);
-  dropBent(levels, parameters.clusters.max_bend, clusters, cluster_of);
+  dropUneven(levels, parameters.clusters, clusters, cluster_of);
 }
 
 }  // namespace line_plane_segmentation

@@ -205,14 +205,41 @@ TEST(PatchClusterer, TakesNoCylinderForAPlane) {
   const DepthImage depth = cylinder();
   const Clusters strict(depth, parameters);
   EXPECT_EQ(strict.at(160, 115), -1);
-  parameters.clusters.max_bend = 1000.0;
+  parameters.clusters.max_bend = parameters.clusters.max_waviness = 1000.0;
   EXPECT_GE(Clusters(depth, parameters).at(160, 115), 0) << "it is flat enough but for its bend";
+}
+
+/// Something uneven in the middle of the picture, 1.6 m away: waves of two wavelengths, as high as the
+/// tolerance.
+DepthImage wave() {
+  DepthImage depth = blankDepth(kWidth, kHeight);
+  for (int v = 85; v < 145; ++v) {
+    for (int u = 130; u < 190; ++u) {
+      const double height = std::sin((u - 160) / 9.0);
+      depth.z[depth.index(u, v)] = static_cast<float>(1.6 + 0.011 * height);
+    }
+  }
+  return noisy(depth, 0.3);
+}
+
+TEST(PatchClusterer, TakesNoWaveForAPlane) {
+  Parameters parameters = adaptiveParameters(kWidth);
+  parameters.clusters.max_curvedness = 1000.0;
+  parameters.clusters.max_waviness = 0.05;
+  const DepthImage depth = wave();
+  const Clusters strict(depth, parameters);
+  EXPECT_EQ(strict.at(160, 115), -1);
+  parameters.clusters.max_waviness = 1000.0;
+  EXPECT_GE(Clusters(depth, parameters).at(160, 115), 0)
+      << "it is flat enough but for its waves, which are no bend";
 }
 
 TEST(PatchClusterer, TakesAFlatThingOfThatSizeForAPlane) {
   DepthImage depth = blankDepth(kWidth, kHeight);
   paint(surfaceAt(1.6, 0.3), kCamera, {145, 175, 90, 140}, depth);
-  EXPECT_GE(Clusters(noisy(depth, 0.3)).at(160, 115), 0);
+  Parameters parameters = adaptiveParameters(kWidth);
+  parameters.clusters.max_waviness = 0.05;
+  EXPECT_GE(Clusters(noisy(depth, 0.3), parameters).at(160, 115), 0);
 }
 
 TEST(PatchClusterer, OfNothingIsNothing) {
