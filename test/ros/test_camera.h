@@ -6,6 +6,7 @@
 #include <sensor_msgs/Image.h>
 
 #include <chrono>
+#include <cstdint>
 #include <string>
 
 #include "test_messages.h"
@@ -34,11 +35,12 @@ inline void spinFor(double seconds) {
 class TestCamera {
  public:
   /// @param name_space  of its topics
-  explicit TestCamera(const std::string& name_space = "")
+  /// @param queue_size  messages that may wait for a slow subscriber
+  explicit TestCamera(const std::string& name_space = "", std::uint32_t queue_size = 10)
       : nh_(name_space),
         image_publisher_(nh_.advertise<sensor_msgs::Image>(
-            "depth/image_rect", 10, [this](const ros::SingleSubscriberPublisher&) { ++arrivals_; })),
-        info_publisher_(nh_.advertise<sensor_msgs::CameraInfo>("depth/camera_info", 10)) {}
+            "depth/image_rect", queue_size, [this](const ros::SingleSubscriberPublisher&) { ++arrivals_; })),
+        info_publisher_(nh_.advertise<sensor_msgs::CameraInfo>("depth/camera_info", queue_size)) {}
   TestCamera(const TestCamera&) = delete;
   TestCamera& operator=(const TestCamera&) = delete;
 
