@@ -172,7 +172,7 @@ void visitParameters(ParametersType& p, Visitor&& visitor) {
 }
 
 /// Brings every parameter within its bounds, a NaN to its default, points_per_segment to 1, 3 or 5,
-/// and min_range below max_range.
+/// line_window from 1, which makes no line, to 2, and min_range below max_range.
 /// @return one line for each value that was changed, which names it; empty if none was
 std::vector<std::string> sanitize(Parameters& parameters);
 

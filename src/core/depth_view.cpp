@@ -3,7 +3,6 @@
 
 #include <cstring>
 
-#include <limits>
 #include "multiversion.h"
 
 namespace line_plane_segmentation {
@@ -53,8 +52,9 @@ void loadPackedUint16(const std::uint8_t* __restrict first, int count, float sca
 void load(const DepthView& view, const std::uint8_t* first, std::size_t stride, int count, DepthRange range,
           float* depth) {
   const float scale = view.metres_per_unit;
-  // Denormal numbers are no depths either, and a NaN bound is none.
-  constexpr float kSmallest = std::numeric_limits<float>::min();
+  // No camera sees what is nearer than a micrometre, and of such numbers the powers that a plane's covariance
+  // is made of are 0. A NaN bound is none.
+  constexpr float kSmallest = 1e-6F;  // [m]
   if (!(range.min >= kSmallest)) range.min = kSmallest;
   if (view.type == DepthType::kUint16) {
     if (view.swap_bytes)

@@ -139,7 +139,8 @@ void LineExtractor::extractPiece(const Scanline& scanline, int first, int last, 
   const std::size_t ranges_before = ranges_.size();
   const int window_count = static_cast<int>(fidelity_.size());
   for (int i = 0; i < window_count;) {
-    if (fidelity_[static_cast<std::size_t>(i)] >= parameters.line_fidelity) {
+    // Not ">=", which no NaN is: the loop would stay there for ever.
+    if (!(fidelity_[static_cast<std::size_t>(i)] < parameters.line_fidelity)) {
       ++i;
       continue;
     }

@@ -95,6 +95,11 @@ std::vector<std::string> sanitize(Parameters& parameters) {
     changed("points_per_segment", toText(points), toText(points - 1));
     --points;
   }
+  int& window = parameters.lines.line_window;
+  if (window == 1) {
+    changed("line_window", toText(window), toText(2));
+    window = 2;
+  }
   ScanlineParameters& range = parameters.scanlines;
   if (range.min_range >= range.max_range) {
     changed("min_range", toText(range.min_range), toText(0.0));

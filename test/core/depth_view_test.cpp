@@ -117,7 +117,8 @@ TEST(DepthView, OnlyPositiveFiniteFloatsAreDepths) {
   const float denormal = std::numeric_limits<float>::denorm_min();
   const std::vector<float> pixels = {
       std::nanf(""), -std::nanf(""), kInfinity, -kInfinity, 0.0F,   -0.0F, -1.0F,
-      -1e30F,        1e30F,          denormal,  -denormal,  1e-40F, 1.5F,  std::numeric_limits<float>::max()};
+      -1e30F,        1e30F,          denormal,  -denormal,  1e-40F, 1.5F,  std::numeric_limits<float>::max(),
+      1e-30F,        1e-7F};
   const DepthView view = viewOf(pixels.data(), static_cast<int>(pixels.size()), 1);
   const std::vector<float> depth = rowOf(view, 0);
   for (std::size_t i = 0; i < pixels.size(); ++i) {

@@ -134,6 +134,18 @@ TEST(Sanitize, MakesPointsPerSegmentOdd) {
   }
 }
 
+// One point makes no line; 0 stands for "from the image's width".
+TEST(Sanitize, MakesWindowsOfOnePointLonger) {
+  Parameters parameters;
+  parameters.lines.line_window = 1;
+  expectOneChange("line_window", parameters);
+  EXPECT_EQ(parameters.lines.line_window, 2);
+  for (const int given : {0, 2, 3}) {
+    parameters.lines.line_window = given;
+    EXPECT_TRUE(sanitize(parameters).empty()) << given;
+  }
+}
+
 TEST(Sanitize, TellsOfEachChange) {
   Parameters parameters;
   parameters.noise.floor = std::nan("");

@@ -51,6 +51,7 @@ void expectWithinBounds(const Parameters& parameters) {
   });
   EXPECT_LT(parameters.scanlines.min_range, parameters.scanlines.max_range);
   EXPECT_EQ(1, parameters.candidates.points_per_segment % 2);
+  EXPECT_NE(1, parameters.lines.line_window);
 }
 
 std::vector<double> valuesOf(const NodeletParameters& parameters) {

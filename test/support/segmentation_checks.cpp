@@ -22,7 +22,8 @@ void expectPlaneIsSound(const SegmentedPlane& plane) {
   EXPECT_LT(plane.normal.dot(plane.centroid), 0.0) << "the normal looks at the camera";
   EXPECT_LE(std::abs(plane.normal.dot(plane.centroid) + plane.d), plane.rms + 1e-9) << "rms has that in it";
   EXPECT_TRUE(plane.centroid.allFinite());
-  EXPECT_TRUE(plane.covariance.allFinite());
+  EXPECT_TRUE(plane.covariance.allFinite())
+      << plane.covariance << "\nof " << plane.inliers << " pixels, d " << plane.d;
   EXPECT_TRUE(std::isfinite(plane.rms) && plane.rms >= 0.0) << plane.rms;
   EXPECT_TRUE(std::isfinite(plane.area) && plane.area > 0.0) << plane.area;
 }
