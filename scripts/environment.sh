@@ -6,6 +6,14 @@
 repository=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 build_directory=$repository/build
 
+# Builds with a sanitizer lie beside the others: use_build_directory_of address|thread|undefined
+use_build_directory_of() {
+  case $1 in
+    address | thread | undefined) build_directory=$repository/build/$1 ;;
+    *) echo "There is no sanitizer '$1': address, thread and undefined are known" >&2; exit 1 ;;
+  esac
+}
+
 # A Python of pyenv or conda in front of the system's has none of ROS's modules.
 export PATH=/usr/bin:$PATH
 unset PYTHONHOME VIRTUAL_ENV

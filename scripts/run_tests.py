@@ -80,6 +80,12 @@ def cases_of(test, failed_tests, seen):
     return cases
 
 
+def read_skipped(path):
+    """The reasons why tests are left out, by regular expressions of their names: lines of both."""
+    lines = [line.split(None, 1) for line in path.read_text().splitlines() if line and not line.startswith("#")]
+    return {name: reason for name, reason in lines}
+
+
 def run_ctest(build, selection):
     """Runs the tests; returns their ctest descriptions and the set of names of those that failed."""
     listing = subprocess.run(["ctest", "--show-only=json-v1"] + selection, cwd=build, check=True,
@@ -102,11 +108,16 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("build", type=pathlib.Path, help="build folder")
     parser.add_argument("--only", metavar="REGEX", help="run only the tests whose name matches")
+    parser.add_argument("--skip", metavar="FILE", type=pathlib.Path, help="tests that are left out, each with the reason")
     arguments = parser.parse_args()
 
-    tests, failed_tests = run_ctest(arguments.build, ["-R", arguments.only] if arguments.only else [])
+    skipped = read_skipped(arguments.skip) if arguments.skip else {}
+    selection = ["-R", arguments.only] if arguments.only else []
+    selection += ["-E", "|".join(skipped)] if skipped else []
+    tests, failed_tests = run_ctest(arguments.build, selection)
     seen = set()
-    cases = [case for test in tests for case in cases_of(test, failed_tests, seen)]
+    cases = [Case(name, "skipped", reason) for name, reason in skipped.items()]
+    cases += [case for test in tests for case in cases_of(test, failed_tests, seen)]
 
     for outcome in ("skipped", "failed"):
         for case in cases:
