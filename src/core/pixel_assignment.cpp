@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "row_kernels.h"
 
@@ -12,6 +13,9 @@ namespace {
 
 constexpr int kMaxSpeckle = 3;            // [px]
 constexpr float kMaxSpeckleError = 2.0F;  // [-] in tolerances
+
+// [-] in tolerances along the ray; planes that differ by less are told apart by the line where they meet.
+constexpr double kCreaseReach = 0.5;
 
 }  // namespace
 
@@ -53,6 +57,57 @@ void PixelAssigner::assignSpans(const std::vector<Span>& spans, const std::vecto
   }
 }
 
+// Where planes meet that are asked in the same columns, from the row with the ray y on.
+void PixelAssigner::findMeetings(const std::vector<PatchCluster>& clusters, const ViewRays& rays, double y,
+                                 const DepthTolerance& tolerance) {
+  meetings_.clear();
+  if (rays.x.size() < 2) return;
+  const double x0 = static_cast<double>(rays.x[0]), x_step = static_cast<double>(rays.x[1]) - x0;
+  const auto meet = [&](const Span& a, const Span& b) {
+    const int first = std::max(a.first, b.first), last = std::min(a.last, b.last);
+    if (a.cluster == b.cluster || first >= last) return;
+    const Fold fold = creases_.between(a.cluster, b.cluster);
+    const InverseDepthPlane& plane = clusters[static_cast<std::size_t>(a.cluster)].plane;
+    const InverseDepthPlane& other = clusters[static_cast<std::size_t>(b.cluster)].plane;
+    // By how much the first is nearer, in inverse depth, grows by this from column to column.
+    const double slope = (plane.a - other.a) * x_step;
+    if (fold == Fold::kNone || slope == 0.0) return;
+    Meeting meeting{first,
+                    last,
+                    (other.at(x0, 0.0) - plane.at(x0, 0.0)) / slope,
+                    (other.b - plane.b) / slope,
+                    0.0,
+                    static_cast<std::uint16_t>(a.cluster + 1),
+                    static_cast<std::uint16_t>(b.cluster + 1)};
+    const double crossing = std::clamp(meeting.offset + meeting.per_y * y, first + 0.0, last + 0.0);
+    meeting.reach = tolerance.along(plane.at(x0 + x_step * crossing, y)) / std::fabs(slope);
+    if ((slope < 0.0) != (fold == Fold::kInward)) std::swap(meeting.left, meeting.right);
+    meetings_.push_back(meeting);
+  };
+  for (std::size_t i = 0; i < spans_.size(); ++i) {
+    for (std::size_t k = i + 1; k < spans_.size(); ++k) meet(spans_[i], spans_[k]);
+    for (const Span& fine : fine_spans_) meet(spans_[i], fine);
+  }
+}
+
+// Near the line where two planes meet, noise decides which one a pixel fits better. There it goes to the
+// plane on its side of the line.
+void PixelAssigner::partAtCreases(double y) {
+  for (const Meeting& meeting : meetings_) {
+    const double crossing = meeting.offset + meeting.per_y * y;
+    const double begin = std::max(crossing - meeting.reach, meeting.first + 0.0);
+    const double end = std::min(crossing + meeting.reach, meeting.last - 1.0);
+    if (!(begin <= end)) continue;
+    const int last = static_cast<int>(end);
+    for (int u = static_cast<int>(std::ceil(begin)); u <= last; ++u) {
+      std::uint16_t& label = label_[static_cast<std::size_t>(u)];
+      const bool is_of_these = (label == meeting.left) | (label == meeting.right);
+      const std::uint16_t side = u < crossing ? meeting.left : meeting.right;
+      label = is_of_these ? side : label;
+    }
+  }
+}
+
 // Whether a few pixels of a row lie at the depth of those to their left and right.
 bool PixelAssigner::isLikeNeighbors(const float* z, const LabelRun& before, const LabelRun& speckle,
                                     const LabelRun& after) const {
@@ -85,22 +140,30 @@ void PixelAssigner::assign(const DepthImage& depth, const ViewRays& rays, const 
   const Tiles fine{levels.fine.spacing, levels.fine.columns, levels.fine.rows, fine_cluster_.data()};
   const double plane_distance = parameters.extraction.plane_distance;
 
+  const DepthTolerance crease_tolerance{parameters.noise,
+                                        kCreaseReach * parameters.extraction.distance_noise_factor};
+  creases_.find(rays, levels, clusters, cluster_of);
+
   image.clear();
   spans_.clear();
   fine_spans_.clear();
   for (int v = 0, row = -1, fine_row = -1; v < depth.height; ++v) {
     const auto enter = [&](const Tiles& tiles, int& entered, std::vector<Span>& spans) {
       const int tile_row = std::min(v / tiles.spacing, tiles.rows - 1);
-      if (tile_row != entered) findSpans(tiles, tile_row, depth.width, spans);
+      if (tile_row == entered) return false;
+      findSpans(tiles, tile_row, depth.width, spans);
       entered = tile_row;
+      return true;
     };
-    enter(coarse, row, spans_);
-    if (!levels.fine.patches.empty()) enter(fine, fine_row, fine_spans_);
-    const float* z = depth.row(v);
     const double y = rays.y[static_cast<std::size_t>(v)];
+    bool are_other_spans = enter(coarse, row, spans_);
+    if (!levels.fine.patches.empty()) are_other_spans |= enter(fine, fine_row, fine_spans_);
+    if (are_other_spans) findMeetings(clusters, rays, y, crease_tolerance);
+    const float* z = depth.row(v);
     prepareRow(z, depth.width, noise, depth_over_noise_.data(), best_.data(), label_.data());
     assignSpans(spans_, clusters, z, rays, y, plane_distance);
     assignSpans(fine_spans_, clusters, z, rays, y, plane_distance);
+    partAtCreases(y);
     image.addRow(label_.data(), depth.width);
     image.joinOverSpeckles(kMaxSpeckle,
                            [this, z](const LabelRun& before, const LabelRun& speckle, const LabelRun& after) {

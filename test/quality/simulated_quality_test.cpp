@@ -5,7 +5,9 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <iostream>
+#include <map>
 #include <vector>
 
 #include "line_plane_segmentation/plane_segmenter.h"
@@ -76,6 +78,46 @@ struct CurvedPixels {
   }
 };
 
+/// Pixels within four of another true plane that meets theirs without a step, both planes being found.
+struct CreasePixels {
+  std::size_t all = 0, right = 0;
+
+  void add(const SimulatedFrame& frame, const Segmentation& segmentation, const RegionOverlaps& regions) {
+    constexpr int kReach = 4;
+    constexpr double kNoStep = 0.03;  // of the depth
+    const std::map<std::uint16_t, std::uint16_t> label_of = matches(regions);
+    for (int v = kReach; v < frame.height() - kReach; ++v) {
+      for (int u = kReach; u < frame.width() - kReach; ++u) {
+        const auto here = static_cast<std::size_t>(v) * static_cast<std::size_t>(frame.width()) +
+                          static_cast<std::size_t>(u);
+        const auto label = label_of.find(frame.truth[here]);
+        if (label == label_of.end()) continue;
+        const auto across = static_cast<std::size_t>(kReach) * static_cast<std::size_t>(frame.width());
+        const auto isCrease = [&](std::size_t there) {
+          return frame.truth[there] != frame.truth[here] && label_of.count(frame.truth[there]) != 0 &&
+                 std::abs(frame.depth[there] - frame.depth[here]) < kNoStep * frame.depth[here];
+        };
+        if (!isCrease(here - kReach) && !isCrease(here + kReach) && !isCrease(here - across) &&
+            !isCrease(here + across))
+          continue;
+        ++all;
+        right += segmentation.labels[here] == label->second ? 1 : 0;
+      }
+    }
+  }
+
+ private:
+  /// The label of each true plane that has one with an IoU over 0.5.
+  static std::map<std::uint16_t, std::uint16_t> matches(const RegionOverlaps& regions) {
+    std::map<std::uint16_t, std::uint16_t> label_of;
+    for (const Overlap& overlap : regions.overlaps) {
+      const CountedRegion &truth = regions.truth[overlap.truth], &label = regions.labels[overlap.label];
+      if (3 * overlap.pixels > truth.pixels + label.pixels) label_of[truth.value] = label.value;
+    }
+    return label_of;
+  }
+};
+
 class SimulatedQuality : public testing::Test {
  protected:
   static void SetUpTestSuite() {
@@ -83,6 +125,7 @@ class SimulatedQuality : public testing::Test {
     frames().clear();
     errors() = {};
     curved() = {};
+    creases() = {};
     forEachSimulatedFrame([&](const SimulatedFrame& frame) {
       const Segmentation& segmentation =
           segmenter.segment(viewOf(frame.depth.data(), frame.width(), frame.height()), frame.camera);
@@ -90,6 +133,7 @@ class SimulatedQuality : public testing::Test {
           {frame.name, countOverlaps(frame.truth.data(), segmentation.labels.data(), frame.truth.size())});
       addErrors(frame, segmentation, frames().back().regions, errors());
       curved().add(frame, segmentation);
+      creases().add(frame, segmentation, frames().back().regions);
     });
   }
 
@@ -103,6 +147,11 @@ class SimulatedQuality : public testing::Test {
     return curved;
   }
 
+  static CreasePixels& creases() {
+    static CreasePixels creases;
+    return creases;
+  }
+
   static PlaneErrors& errors() {
     static PlaneErrors errors;
     return errors;
@@ -111,6 +160,13 @@ class SimulatedQuality : public testing::Test {
 
 TEST_F(SimulatedQuality, ofRegions) {
   expectAtLeast({0.61, 0.62, 0.69, 0.89, 0.93}, figuresOf(frames(), kSimulatedMinPixels));
+}
+
+TEST_F(SimulatedQuality, ofPixelsWherePlanesMeet) {
+  ASSERT_GT(creases().all, 200000U);
+  const double share = static_cast<double>(creases().right) / static_cast<double>(creases().all);
+  std::cout << "within 4 pixels of a crease " << 100.0 * share << " % are in the right plane" << std::endl;
+  EXPECT_GE(share, 0.88);
 }
 
 TEST_F(SimulatedQuality, ofWhatIsNoPlane) {

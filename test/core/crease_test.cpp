@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "line_plane_segmentation/crease.h"
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+#include "support/resolved_parameters.h"
+#include "support/synthetic_depth.h"
+
+namespace line_plane_segmentation {
+namespace {
+
+constexpr int kWidth = 320, kHeight = 240;
+
+/// What is found of an image, and how its planes meet.
+struct Found {
+  ViewRays rays = raysOf(kinectCamera(kWidth, kHeight), kWidth, kHeight);
+  PatchLevels levels;
+  std::vector<PatchCluster> clusters;
+  std::vector<int> cluster_of;
+  Creases creases;
+
+  explicit Found(const DepthImage& depth) {
+    const Parameters parameters = adaptiveParameters(kWidth);
+    PatchDetector detector;
+    PatchClusterer clusterer;
+    std::vector<std::uint8_t> explained;
+    detector.detect(depth, rays, parameters, levels.coarse);
+    clusterer.clusterCoarse(levels.coarse, parameters, explained);
+    detector.refine(depth, rays, parameters, explained, levels);
+    clusterer.cluster(depth, rays, levels, parameters, clusters, cluster_of);
+    creases.find(rays, levels, clusters, cluster_of);
+  }
+};
+
+/// Two walls that meet in the middle of the picture, or one that ends there before another.
+DepthImage walls(double left_yaw, double right_yaw, double right_distance = 1.8) {
+  DepthImage depth = blankDepth(kWidth, kHeight);
+  paint(surfaceAt(1.8, left_yaw), kinectCamera(kWidth, kHeight), {0, 160, 0, 240}, depth);
+  paint(surfaceAt(right_distance, right_yaw), kinectCamera(kWidth, kHeight), {160, 320, 0, 240}, depth);
+  return depth;
+}
+
+/// The sign of what is seen on the left: whether the left wall, continued, lies before the right one there.
+Fold expectedFold(const Found& found) {
+  const int left = found.cluster_of[static_cast<std::size_t>(found.levels.coarse.indexAt(40, 120))];
+  const int right = found.cluster_of[static_cast<std::size_t>(found.levels.coarse.indexAt(280, 120))];
+  EXPECT_GE(left, 0);
+  EXPECT_GE(right, 0);
+  EXPECT_NE(left, right);
+  const double x = found.rays.x[40], y = found.rays.y[120];
+  const bool left_is_nearer = found.clusters[static_cast<std::size_t>(left)].plane.at(x, y) >
+                              found.clusters[static_cast<std::size_t>(right)].plane.at(x, y);
+  return left_is_nearer ? Fold::kInward : Fold::kOutward;
+}
+
+TEST(Creases, TellsTheCornerOfARoomFromThatOfABox) {
+  const Found one(walls(0.6, -0.6)), other(walls(-0.6, 0.6));
+  ASSERT_EQ(one.clusters.size(), 2U);
+  ASSERT_EQ(other.clusters.size(), 2U);
+  EXPECT_EQ(one.creases.between(0, 1), expectedFold(one));
+  EXPECT_EQ(other.creases.between(0, 1), expectedFold(other));
+  EXPECT_NE(one.creases.between(0, 1), other.creases.between(0, 1));
+  EXPECT_EQ(one.creases.between(1, 0), one.creases.between(0, 1));
+  EXPECT_EQ(one.creases.between(0, 0), Fold::kNone);
+}
+
+TEST(Creases, PlanesWithNothingBesideEachOtherDoNotMeet) {
+  DepthImage depth = blankDepth(kWidth, kHeight);
+  paint(surfaceAt(1.8, 0.6), kinectCamera(kWidth, kHeight), {0, 120, 0, 240}, depth);
+  paint(surfaceAt(1.8, -0.6), kinectCamera(kWidth, kHeight), {200, 320, 0, 240}, depth);
+  const Found found(depth);
+  ASSERT_EQ(found.clusters.size(), 2U);
+  EXPECT_EQ(found.creases.between(0, 1), Fold::kNone);
+}
+
+TEST(Creases, OfNothingIsNothing) {
+  Creases creases;
+  EXPECT_EQ(creases.between(0, 0), Fold::kNone);
+  const Found found(blankDepth(kWidth, kHeight));
+  EXPECT_EQ(found.creases.between(0, 0), Fold::kNone);
+  creases.find(found.rays, PatchLevels{}, {}, {});
+  EXPECT_EQ(creases.between(0, 0), Fold::kNone);
+}
+
+}  // namespace
+}  // namespace line_plane_segmentation
