@@ -88,7 +88,7 @@ void MessagePath::subscribe(const std::string& topic) {
   subscribers_.push_back(
       nh_.subscribe<Message>(topic, 1, [this](const boost::shared_ptr<const Message>& message) {
         ++answers_;
-        if constexpr (std::is_same_v<Message, PlaneArray>) take(*message);
+        take(*message);
       }));
 }
 

@@ -46,6 +46,8 @@ class MessagePath {
   void subscribe(const std::string& topic);
   bool publishAndWait(const BenchmarkFrame& frame, double seconds);
   void take(const PlaneArray& planes);
+  template <typename Other>
+  void take(const Other& /*message*/) {}
 
   ros::CallbackQueue queue_;
   ros::NodeHandle nh_;
