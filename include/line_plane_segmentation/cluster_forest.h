@@ -51,9 +51,8 @@ class ClusterForest {
   void addPair(int a, int b, double limit);
 
   /// Merges the clusters of the pairs remembered that cost less than the limit, then forgets the pairs.
-  /// @param rounds  rising shares of the limit, asked one after the other, so that what is most alike has
-  /// grown
-  ///                together before anything doubtful is asked; the last is 1
+  /// @param rounds  shares of the limit, rising to 1, asked one after the other: so what is most alike has
+  ///                grown together before anything doubtful is asked
   void mergePairs(double limit, std::initializer_list<double> rounds);
 
   /// Makes one of the clusters of two roots, whose cost is known not to be the largest number; `a` is its

@@ -4,16 +4,17 @@
 #include <cstddef>
 #include <vector>
 
+#include "line_plane_segmentation/cluster_forest.h"
 #include "line_plane_segmentation/depth_image.h"
-#include "line_plane_segmentation/patch_clustering.h"
+#include "line_plane_segmentation/surface_patch.h"
 
 namespace line_plane_segmentation {
 
 /// How two planes meet, as the camera sees it.
-enum class Fold : int {
-  kNone = 0,     ///< they have no, or too few, patches beside each other
-  kInward = 1,   ///< like walls in the corner of a room: along each ray the nearer plane is seen
-  kOutward = 2,  ///< like the sides of a box: the farther one
+enum class Fold {
+  kNone,     ///< they do not: there is a step, or they have too few patches beside each other
+  kInward,   ///< like walls in the corner of a room: along each ray the nearer plane is seen
+  kOutward,  ///< like the sides of a box: the farther one
 };
 
 /// Tells from the patches beside each other how planes meet. Which side of the line where two planes cross a
@@ -21,9 +22,13 @@ enum class Fold : int {
 /// parts the planes.
 class Creases {
  public:
-  /// @param cluster_of  of each patch its cluster, or -1
-  void find(const ViewRays& rays, const PatchLevels& levels, const std::vector<PatchCluster>& clusters,
+  /// Among more than 200 clusters none is found to meet another.
+  /// @param cluster_of  of each patch of the grid its cluster, or -1
+  void find(const ViewRays& rays, const PatchGrid& grid, const std::vector<PatchCluster>& clusters,
             const std::vector<int>& cluster_of);
+
+  /// Whether no two clusters can meet.
+  bool empty() const { return vote_.empty(); }
 
   /// How the planes of two clusters meet.
   Fold between(int cluster, int other) const;
@@ -35,7 +40,7 @@ class Creases {
   void vote(int cluster, int other, int sign);
 
   std::size_t count_ = 0;
-  std::vector<int> vote_;  // of each two clusters: more is inward
+  std::vector<int> vote_;  // of each two clusters: votes for inward less those for outward
 };
 
 }  // namespace line_plane_segmentation

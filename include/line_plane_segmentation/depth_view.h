@@ -9,7 +9,7 @@ namespace line_plane_segmentation {
 /// How one depth pixel is stored.
 enum class DepthType : std::uint8_t {
   kUint16,   ///< unsigned 16-bit, 0 = no depth (ROS 16UC1 and mono16)
-  kFloat32,  ///< IEEE float, anything but a positive finite number = no depth (ROS 32FC1)
+  kFloat32,  ///< IEEE float, anything but a finite number from a micrometre on = no depth (ROS 32FC1)
 };
 
 /// Size of one pixel [bytes].
@@ -38,7 +38,7 @@ DepthView viewOf(const std::uint16_t* pixels, int width, int height, float metre
 /// A view of a tightly packed float image.
 DepthView viewOf(const float* pixels, int width, int height, float metres_per_unit = 1.0F);
 
-/// Depths outside (min, max) count as missing.
+/// Depths outside (min, max) count as missing, and whatever is nearer than a micrometre.
 struct DepthRange {
   float min = 0.0F;    ///< [m]
   float max = 1.0e3F;  ///< [m]

@@ -104,7 +104,7 @@ class PatchDetector {
   WindowSums row_sums_, column_sums_;  // of every crossing; of a row of crossings, if fine
   WindowSums running_;                 // along scanlines, one a lane
   std::vector<float> z_, t_, x_;       // of each lane a pixel's depth and ray coordinate, and the crossing's
-  LaneTable<7> fits_;                  // of each lane, as CrossingFits has them
+  CrossingFits fits_;                  // of a row of crossings
   std::vector<int> fine_columns_;      // of a row of the fine grid, those looked at
 };
 

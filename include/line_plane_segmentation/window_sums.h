@@ -63,4 +63,17 @@ inline WindowLanes lanesFrom(int window, WindowSums& sums) {
           sums.row(kSumW, window), sums.row(kSumTw, window), sums.row(kSumWw, window)};
 }
 
+/// What is fitted to windows that cross, a row's and a column's. One lane a crossing, a row for each Fit.
+using CrossingFits = LaneTable<7>;
+
+enum Fit : int {
+  kFitA,  ///< of the InverseDepthPlane
+  kFitB,
+  kFitC,
+  kFitSquaredError,  ///< of the pixels of both windows to the plane
+  kFitTolerance,     ///< of their inverse depths
+  kFitLines,         ///< how many of the two windows are straight: 0, 1, 2; 0 if the pixels fix no plane
+  kFitPlanar,        ///< 1: both are, and lie in the plane; else 0
+};
+
 }  // namespace line_plane_segmentation

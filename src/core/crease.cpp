@@ -20,16 +20,15 @@ void Creases::vote(int cluster, int other, int sign) {
   vote_[indexOf(other, cluster)] += sign;
 }
 
-void Creases::find(const ViewRays& rays, const PatchLevels& levels, const std::vector<PatchCluster>& clusters,
+void Creases::find(const ViewRays& rays, const PatchGrid& grid, const std::vector<PatchCluster>& clusters,
                    const std::vector<int>& cluster_of) {
   count_ = clusters.size();
   vote_.clear();
   if (count_ < 2 || count_ > kMaxClusters) return;
   vote_.assign(count_ * count_, 0);
-  const PatchGrid& grid = levels.coarse;
   const auto isNearer = [&](int patch, int cluster, int other) {
-    const double x = rays.x[static_cast<std::size_t>(levels.u(patch))];
-    const double y = rays.y[static_cast<std::size_t>(levels.v(patch))];
+    const double x = rays.x[static_cast<std::size_t>(grid.pixelOf(patch % grid.columns))];
+    const double y = rays.y[static_cast<std::size_t>(grid.pixelOf(patch / grid.columns))];
     return clusters[static_cast<std::size_t>(cluster)].plane.at(x, y) >
            clusters[static_cast<std::size_t>(other)].plane.at(x, y);
   };

@@ -10,7 +10,8 @@
 namespace line_plane_segmentation {
 namespace {
 
-constexpr std::size_t kPadding = 8;  // what appendMarked() reads and writes behind a row
+constexpr std::size_t kPadding =
+    8;  // the 7 marks that appendMarked() reads behind a row, and its spare column
 
 }  // namespace
 

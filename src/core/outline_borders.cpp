@@ -11,9 +11,6 @@
 namespace line_plane_segmentation {
 namespace {
 
-// Where branches depend on the picture they are mispredicted half of the time, which would take most of the
-// time here. So candidates are collected by storing all and counting the right ones.
-
 constexpr int kStretch = 64;  ///< [px] part of a row that is skipped if it is the same as above
 
 /// What may start at the upper left corner of a pixel.

@@ -10,8 +10,8 @@ namespace {
 
 inline double larger(double a, double b) { return a > b ? a : b; }
 
-/// The squared error of the line through a window's pixels, their spreads about the mean being given. 0 / 0,
-/// which nothing is larger than, if they have one t only.
+/// The squared error of the line through a window's pixels, their spreads about the mean being given. Of no
+/// meaning if they have one t only, and then not asked: such windows fix no plane.
 inline double squaredErrorOfLine(double ctt, double ctw, double cww) { return cww - ctw * ctw / ctt; }
 
 }  // namespace
@@ -36,10 +36,12 @@ void addPixels(const float* z, const float* t, int count, const WindowLanes& sum
 // The same sums as RegressionMoments', about the mean as in its fit().
 LPS_MULTIVERSION
 void fitCrossings(const WindowLanes& rows, const WindowLanes& columns, const float* x, double y, int count,
-                  const CrossingBounds& bounds, const CrossingFits& fits) {
+                  const CrossingBounds& bounds, CrossingFits& fits) {
   const WindowLanes r = rows, k = columns;
   const CrossingBounds bound = bounds;
-  const CrossingFits fit = fits;
+  double *const plane_a = fits.row(kFitA), *const plane_b = fits.row(kFitB), *const plane_c = fits.row(kFitC);
+  double *const squared_errors = fits.row(kFitSquaredError), *const tolerances = fits.row(kFitTolerance);
+  double *const straight_lines = fits.row(kFitLines), *const planar = fits.row(kFitPlanar);
   LPS_INDEPENDENT
   for (int i = 0; i < count; ++i) {
     const double u = static_cast<double>(x[i]);
@@ -63,6 +65,7 @@ void fitCrossings(const WindowLanes& rows, const WindowLanes& columns, const flo
     const double c = w_mean - a * x_mean - b * y_mean;
     const double squared_error = larger(0.0, cww - a * cxw - b * cyw);
 
+    // DepthTolerance::at().
     const double reach = 1.0 - bound.tolerance.noise.nearest * w_mean;
     const double along = bound.tolerance.noise_factor * (bound.tolerance.noise.floor * w_mean * w_mean +
                                                          bound.tolerance.noise.growth * reach * reach);
@@ -74,13 +77,13 @@ void fitCrossings(const WindowLanes& rows, const WindowLanes& columns, const flo
     const bool row_is_straight = squaredErrorOfLine(ctt_r, ctw_r, cww_r) < flat * r.n[i];
     const bool column_is_straight = squaredErrorOfLine(ctt_k, ctw_k, cww_k) < flat * k.n[i];
     const double lines = (row_is_straight ? 1.0 : 0.0) + (column_is_straight ? 1.0 : 0.0);
-    fit.a[i] = a;
-    fit.b[i] = b;
-    fit.c[i] = c;
-    fit.squared_error[i] = squared_error;
-    fit.tolerance[i] = tolerance;
-    fit.straight_lines[i] = is_fixed ? lines : 0.0;
-    fit.planar[i] = (is_fixed & (lines > 1.5) & (squared_error < flat * pixels)) ? 1.0 : 0.0;
+    plane_a[i] = a;
+    plane_b[i] = b;
+    plane_c[i] = c;
+    squared_errors[i] = squared_error;
+    tolerances[i] = tolerance;
+    straight_lines[i] = is_fixed ? lines : 0.0;
+    planar[i] = (is_fixed & (lines > 1.5) & (squared_error < flat * pixels)) ? 1.0 : 0.0;
   }
 }
 

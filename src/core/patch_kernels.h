@@ -18,19 +18,10 @@ struct CrossingBounds {
   double min_points;  ///< of each window
 };
 
-/// The results for crossings side by side.
-struct CrossingFits {
-  double *a, *b, *c;      ///< InverseDepthPlane
-  double* squared_error;  ///< of the pixels of both windows to the plane
-  double* tolerance;      ///< of their inverse depths
-  double*
-      straight_lines;  ///< how many of the two windows are straight: 0, 1, 2; 0 if the pixels fix no plane
-  double* planar;      ///< 1: both are, and lie in the plane; else 0
-};
-
 /// Fits a plane to each two windows that cross, a row's and a column's.
-/// @param x  ray coordinates of the crossings; all have the same y
+/// @param x     ray coordinates of the crossings; all have the same y
+/// @param fits  with a lane for each of them, at least
 void fitCrossings(const WindowLanes& rows, const WindowLanes& columns, const float* x, double y, int count,
-                  const CrossingBounds& bounds, const CrossingFits& fits);
+                  const CrossingBounds& bounds, CrossingFits& fits);
 
 }  // namespace line_plane_segmentation

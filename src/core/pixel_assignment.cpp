@@ -61,8 +61,9 @@ void PixelAssigner::assignSpans(const std::vector<Span>& spans, const std::vecto
 void PixelAssigner::findMeetings(const std::vector<PatchCluster>& clusters, const ViewRays& rays, double y,
                                  const DepthTolerance& tolerance) {
   meetings_.clear();
-  if (rays.x.size() < 2) return;
-  const double x0 = static_cast<double>(rays.x[0]), x_step = static_cast<double>(rays.x[1]) - x0;
+  if (rays.x.size() < 2 || creases_.empty()) return;
+  const double x0 = static_cast<double>(rays.x.front());
+  const double x_step = (static_cast<double>(rays.x.back()) - x0) / static_cast<double>(rays.x.size() - 1);
   const auto meet = [&](const Span& a, const Span& b) {
     const int first = std::max(a.first, b.first), last = std::min(a.last, b.last);
     if (a.cluster == b.cluster || first >= last) return;
@@ -84,10 +85,15 @@ void PixelAssigner::findMeetings(const std::vector<PatchCluster>& clusters, cons
     if ((slope < 0.0) != (fold == Fold::kInward)) std::swap(meeting.left, meeting.right);
     meetings_.push_back(meeting);
   };
+  // Spans are in the order of their first columns.
+  const auto meetAll = [&](const Span& span, const std::vector<Span>& others, std::size_t from) {
+    for (std::size_t k = from; k < others.size() && others[k].first < span.last; ++k) meet(span, others[k]);
+  };
   for (std::size_t i = 0; i < spans_.size(); ++i) {
-    for (std::size_t k = i + 1; k < spans_.size(); ++k) meet(spans_[i], spans_[k]);
-    for (const Span& fine : fine_spans_) meet(spans_[i], fine);
+    meetAll(spans_[i], spans_, i + 1);
+    meetAll(spans_[i], fine_spans_, 0);
   }
+  for (std::size_t i = 0; i < fine_spans_.size(); ++i) meetAll(fine_spans_[i], fine_spans_, i + 1);
 }
 
 // Near the line where two planes meet, noise decides which one a pixel fits better. There it goes to the
@@ -142,7 +148,7 @@ void PixelAssigner::assign(const DepthImage& depth, const ViewRays& rays, const 
 
   const DepthTolerance crease_tolerance{parameters.noise,
                                         kCreaseReach * parameters.extraction.distance_noise_factor};
-  creases_.find(rays, levels, clusters, cluster_of);
+  creases_.find(rays, levels.coarse, clusters, cluster_of);
 
   image.clear();
   spans_.clear();

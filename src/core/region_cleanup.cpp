@@ -83,7 +83,7 @@ void RegionCleaner::findContacts(const DepthImage& depth, const Parameters& para
   const auto meet = [&](std::size_t i, std::size_t j, int first_i, int first_j, int length) {
     if (is_small_[i] == is_small_[j]) return;
     const LabelRun &a = image.runs[i], &b = image.runs[j];
-    if (a.label == b.label || a.label == kNoDepthLabel || b.label == kNoDepthLabel) return;
+    if (a.label == kNoDepthLabel || b.label == kNoDepthLabel) return;
     const bool a_is_small = is_small_[i] != 0;
     const int touching =
         countTouching(depth.row(a.row) + first_i, depth.row(b.row) + first_j, length, tolerance);

@@ -69,7 +69,7 @@ void markChanges(const std::uint16_t* __restrict labels, int count, std::uint8_t
   for (int i = 1; i < count; ++i) changes[i] = static_cast<std::uint8_t>(labels[i] != labels[i - 1]);
 }
 
-// Branches that depend on the picture are mispredicted half of the time. So candidates are collected by
+// Branches that depend on the picture are mispredicted half of the time. So columns are collected by
 // storing all and counting the right ones.
 int* appendMarked(const std::uint8_t* marks, int begin, int end, int* columns) {
   using Word = std::uint64_t;

@@ -3,8 +3,8 @@
 
 #include <cstdint>
 
-/// The loops over the pixels of a row that all the time goes into, each simple enough for the compiler to
-/// vectorise.
+/// The loops over the pixels of a row that all the time goes into, nearly all of them simple enough for the
+/// compiler to vectorise.
 namespace line_plane_segmentation {
 
 /// Distance of a pixel's point to a plane, n . p + d = z (a + b x) + d, where x = (u - cx) / fx, b = nx and

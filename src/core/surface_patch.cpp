@@ -53,8 +53,6 @@ void PatchDetector::resetLanes(int lanes) {
   const std::size_t count = static_cast<std::size_t>(lanes);
   z_.resize(count);
   t_.resize(count);
-  x_.resize(count);
-  fits_.resize(lanes);
 }
 
 // Fits the crossings of `count` windows, from one on, with those of x_; they lie in an image row with ray y.
@@ -62,20 +60,19 @@ void PatchDetector::fit(int first, int count, double y, double min_points, const
   const CrossingBounds bounds{DepthTolerance{parameters.noise, parameters.patches.patch_noise_factor,
                                              parameters.patches.patch_distance},
                               parameters.patches.patch_flatness, min_points};
-  fitCrossings(
-      lanesFrom(first, row_sums_), lanesFrom(first, column_sums_), x_.data(), y, count, bounds,
-      {fits_.row(0), fits_.row(1), fits_.row(2), fits_.row(3), fits_.row(4), fits_.row(5), fits_.row(6)});
+  fitCrossings(lanesFrom(first, row_sums_), lanesFrom(first, column_sums_), x_.data(), y, count, bounds,
+               fits_);
 }
 
 // The patch of a crossing that has been fitted.
 SurfacePatch PatchDetector::patchOf(int crossing, int lane, double y) const {
   SurfacePatch patch;
-  patch.has_line = fits_(5, lane) > 0.0;
-  patch.is_planar = fits_(6, lane) > 0.0;
+  patch.has_line = fits_(kFitLines, lane) > 0.0;
+  patch.is_planar = fits_(kFitPlanar, lane) > 0.0;
   if (!patch.is_planar) return patch;
-  patch.plane = {fits_(0, lane), fits_(1, lane), fits_(2, lane)};
-  const double weight = 1.0 / (fits_(4, lane) * fits_(4, lane));
-  patch.squared_error = fits_(3, lane) * weight;
+  patch.plane = {fits_(kFitA, lane), fits_(kFitB, lane), fits_(kFitC, lane)};
+  const double weight = 1.0 / (fits_(kFitTolerance, lane) * fits_(kFitTolerance, lane));
+  patch.squared_error = fits_(kFitSquaredError, lane) * weight;
   const auto row = [&](Sum sum) { return row_sums_(sum, crossing); };
   const auto column = [&](Sum sum) { return column_sums_(sum, crossing); };
   const double x = static_cast<double>(x_[static_cast<std::size_t>(lane)]);
@@ -113,10 +110,12 @@ void PatchDetector::detect(const DepthImage& depth, const ViewRays& rays, const 
       [&](int c, int r) { return grid.indexOf(c, r); }, column_sums_);
 
   const double min_points = kMinFilled * (2 * half_window + 1);
-  resetLanes(grid.columns);
+  x_.resize(static_cast<std::size_t>(grid.columns));
+  fits_.resize(grid.columns);
   for (int c = 0; c < grid.columns; ++c)
     x_[static_cast<std::size_t>(c)] = rays.x[static_cast<std::size_t>(grid.pixelOf(c))];
   grid.patches.clear();
+  grid.patches.reserve(static_cast<std::size_t>(count));
   for (int r = 0; r < grid.rows; ++r) {
     const double y = rays.y[static_cast<std::size_t>(grid.pixelOf(r))];
     fit(grid.indexOf(0, r), grid.columns, y, min_points, parameters);
@@ -173,6 +172,8 @@ void PatchDetector::refine(const DepthImage& depth, const ViewRays& rays, const 
     if (fine_columns_.empty()) continue;
     const int lanes = static_cast<int>(fine_columns_.size());
     resetLanes(lanes);
+    x_.resize(fine_columns_.size());
+    fits_.resize(lanes);
     for (int i = 0; i < lanes; ++i)
       x_[static_cast<std::size_t>(i)] =
           rays.x[static_cast<std::size_t>(fine.pixelOf(fine_columns_[static_cast<std::size_t>(i)]))];
@@ -180,7 +181,7 @@ void PatchDetector::refine(const DepthImage& depth, const ViewRays& rays, const 
     const double y = rays.y[static_cast<std::size_t>(v)];
     fit(0, lanes, y, min_points, parameters);
     for (int i = 0; i < lanes; ++i) {
-      if (!(fits_(6, i) > 0.0)) continue;
+      if (!(fits_(kFitPlanar, i) > 0.0)) continue;
       const int cell = r * fine.columns + fine_columns_[static_cast<std::size_t>(i)];
       fine.patch_at[static_cast<std::size_t>(cell)] = static_cast<int>(fine.patches.size());
       fine.cells.push_back(cell);

@@ -3,8 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include <cstddef>
+#include <cstdint>
 #include <vector>
 
+#include "line_plane_segmentation/patch_clustering.h"
 #include "support/resolved_parameters.h"
 #include "support/synthetic_depth.h"
 
@@ -30,7 +33,7 @@ struct Found {
     clusterer.clusterCoarse(levels.coarse, parameters, explained);
     detector.refine(depth, rays, parameters, explained, levels);
     clusterer.cluster(depth, rays, levels, parameters, clusters, cluster_of);
-    creases.find(rays, levels, clusters, cluster_of);
+    creases.find(rays, levels.coarse, clusters, cluster_of);
   }
 };
 
@@ -75,12 +78,18 @@ TEST(Creases, PlanesWithNothingBesideEachOtherDoNotMeet) {
   EXPECT_EQ(found.creases.between(0, 1), Fold::kNone);
 }
 
+TEST(Creases, PlanesOnEitherSideOfAStepDoNotMeet) {
+  const Found found(walls(0.3, 0.3, 3.0));
+  ASSERT_EQ(found.clusters.size(), 2U);
+  EXPECT_EQ(found.creases.between(0, 1), Fold::kNone);
+}
+
 TEST(Creases, OfNothingIsNothing) {
   Creases creases;
   EXPECT_EQ(creases.between(0, 0), Fold::kNone);
   const Found found(blankDepth(kWidth, kHeight));
   EXPECT_EQ(found.creases.between(0, 0), Fold::kNone);
-  creases.find(found.rays, PatchLevels{}, {}, {});
+  creases.find(found.rays, PatchGrid{}, {}, {});
   EXPECT_EQ(creases.between(0, 0), Fold::kNone);
 }
 

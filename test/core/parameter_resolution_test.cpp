@@ -34,6 +34,13 @@ TEST(Resolve, GivesThePapersTable) {
   }
 }
 
+TEST(Resolve, HasWindowsThatMakeALineAtEveryWidth) {
+  for (int width = 1; width <= 64; ++width) {
+    EXPECT_GE(resolve(Parameters{}, width).lines.line_window, 5) << width;
+    EXPECT_GE(paperParameters(width).lines.line_window, 5) << width;
+  }
+}
+
 TEST(Resolve, SuitsThePapersMethodAtEveryWidth) {
   for (int width = 160; width <= 1920; ++width) {
     const Parameters p = paperParameters(width);

@@ -209,8 +209,7 @@ TEST(PatchClusterer, TakesNoCylinderForAPlane) {
   EXPECT_GE(Clusters(depth, parameters).at(160, 115), 0) << "it is flat enough but for its bend";
 }
 
-/// Something uneven in the middle of the picture, 1.6 m away: waves of two wavelengths, as high as the
-/// tolerance.
+/// Something uneven in the middle of the picture, 1.6 m away: bent to an S, which no quadratic surface is.
 DepthImage wave() {
   DepthImage depth = blankDepth(kWidth, kHeight);
   for (int v = 85; v < 145; ++v) {

@@ -18,12 +18,6 @@ namespace {
 
 namespace scalar = ::scalar_twin::line_plane_segmentation;
 
-using Fits = LaneTable<7>;
-
-CrossingFits rowsOf(Fits& fits) {
-  return {fits.row(0), fits.row(1), fits.row(2), fits.row(3), fits.row(4), fits.row(5), fits.row(6)};
-}
-
 /// Many crossings in a row, their windows looking at planes with noise, some of them with a step or with
 /// holes.
 class Crossings {
@@ -84,7 +78,7 @@ bool isSame(LaneTable<kRows>& a, LaneTable<kRows>& b, int lanes) {
   return std::memcmp(a.row(0), b.row(0), sizeof(double) * kRows * static_cast<std::size_t>(lanes)) == 0;
 }
 
-/// The mean squared error of the line through points, the plain way.
+/// The sum of squared errors to the line through points, the plain way.
 double squaredErrorOfLine(const std::vector<Eigen::Vector2d>& points) {
   Eigen::Vector2d mean = Eigen::Vector2d::Zero();
   for (const Eigen::Vector2d& point : points) mean += point / static_cast<double>(points.size());
@@ -125,49 +119,50 @@ TEST(PatchKernels, SumsAreThoseOfThePixelsWithADepth) {
 
 TEST(PatchKernels, CrossingsAreLeastSquares) {
   const CrossingBounds bounds{DepthTolerance{NoiseParameters{}, 1.6, 0.004}, 1.2, 7.7};
-  int planar = 0, straight = 0, none = 0;
+  int planar = 0, with_a_line = 0, without = 0, none = 0;
   for (std::uint64_t seed = 1; seed <= 200; ++seed) {
     Random random(seed);
     Crossings crossings(random);
-    Fits fits, twin;
+    CrossingFits fits, twin;
     fits.setZero(crossings.count_);
     twin.setZero(crossings.count_);
     fitCrossings(lanesFrom(0, crossings.rows_), lanesFrom(0, crossings.columns_), crossings.x_.data(),
-                 crossings.y_, crossings.count_, bounds, rowsOf(fits));
+                 crossings.y_, crossings.count_, bounds, fits);
     scalar::fitCrossings(lanesFrom(0, crossings.rows_), lanesFrom(0, crossings.columns_), crossings.x_.data(),
-                         crossings.y_, crossings.count_, bounds, rowsOf(twin));
+                         crossings.y_, crossings.count_, bounds, twin);
     ASSERT_TRUE(isSame(fits, twin, crossings.count_));
     for (std::size_t i = 0; i < crossings.pixels_.size(); ++i) {
       const Crossings::Pixels& pixels = crossings.pixels_[i];
       const int lane = static_cast<int>(i);
       if (std::min(pixels.row.size(), pixels.column.size()) < 8) {
-        ASSERT_EQ(fits(5, lane), 0.0);
-        ASSERT_EQ(fits(6, lane), 0.0);
+        ASSERT_EQ(fits(kFitLines, lane), 0.0);
+        ASSERT_EQ(fits(kFitPlanar, lane), 0.0);
         ++none;
         continue;
       }
       InverseDepthPlane plane;
       const double squared_error = pixels.both.fit(plane);
-      ASSERT_NEAR(fits(0, lane), plane.a, 1e-7);
-      ASSERT_NEAR(fits(1, lane), plane.b, 1e-7);
-      ASSERT_NEAR(fits(2, lane), plane.c, 1e-7);
-      ASSERT_NEAR(fits(3, lane), squared_error, 1e-10);
+      ASSERT_NEAR(fits(kFitA, lane), plane.a, 1e-7);
+      ASSERT_NEAR(fits(kFitB, lane), plane.b, 1e-7);
+      ASSERT_NEAR(fits(kFitC, lane), plane.c, 1e-7);
+      ASSERT_NEAR(fits(kFitSquaredError, lane), squared_error, 1e-10);
       const double tolerance = bounds.tolerance.at(pixels.both.w / pixels.both.one, plane.inverseDistance());
-      ASSERT_NEAR(fits(4, lane), tolerance, 1e-9);
+      ASSERT_NEAR(fits(kFitTolerance, lane), tolerance, 1e-9);
       const double flat = bounds.flatness * tolerance * tolerance;
       const double row = squaredErrorOfLine(pixels.row) / (flat * static_cast<double>(pixels.row.size()));
       const double column =
           squaredErrorOfLine(pixels.column) / (flat * static_cast<double>(pixels.column.size()));
       const double both = squared_error / (flat * pixels.both.pixels);
       if (std::min({std::abs(row - 1.0), std::abs(column - 1.0), std::abs(both - 1.0)}) < 1e-6) continue;
-      ASSERT_EQ(fits(5, lane), (row < 1.0 ? 1.0 : 0.0) + (column < 1.0 ? 1.0 : 0.0));
+      ASSERT_EQ(fits(kFitLines, lane), (row < 1.0 ? 1.0 : 0.0) + (column < 1.0 ? 1.0 : 0.0));
       const bool is_planar = row < 1.0 && column < 1.0 && both < 1.0;
-      ASSERT_EQ(fits(6, lane), is_planar ? 1.0 : 0.0);
-      ++(is_planar ? planar : straight);
+      ASSERT_EQ(fits(kFitPlanar, lane), is_planar ? 1.0 : 0.0);
+      ++(is_planar ? planar : fits(kFitLines, lane) > 0.0 ? with_a_line : without);
     }
   }
   EXPECT_GT(planar, 500);
-  EXPECT_GT(straight, 100);
+  EXPECT_GT(with_a_line, 100);
+  EXPECT_GT(without, 10);
   EXPECT_GT(none, 100);
 }
 
@@ -175,20 +170,25 @@ TEST(PatchKernels, WindowsThatFixNoPlaneAreNotPlanar) {
   const CrossingBounds bounds{DepthTolerance{NoiseParameters{}, 1.6, 0.004}, 1.2, 0.0};
   WindowSums nothing;
   nothing.setZero(3);
-  Fits fits;
-  fits.resize(3);
+  CrossingFits fits;
+  const auto forget = [&fits] { fits.resize(3), std::fill_n(fits.row(0), 7 * 3, 1.0); };
+  const auto expectNone = [&fits] {
+    for (int i = 0; i < 3; ++i) EXPECT_EQ(fits(kFitLines, i) + fits(kFitPlanar, i), 0.0);
+  };
+  forget();
   const std::vector<float> x(3, 0.1F);
-  fitCrossings(lanesFrom(0, nothing), lanesFrom(0, nothing), x.data(), 0.2, 3, bounds, rowsOf(fits));
-  for (int i = 0; i < 3; ++i) EXPECT_EQ(fits(5, i) + fits(6, i), 0.0);
+  fitCrossings(lanesFrom(0, nothing), lanesFrom(0, nothing), x.data(), 0.2, 3, bounds, fits);
+  expectNone();
 
   // All pixels of a row's window at one ray, as of an image without a focal length.
   const std::vector<float> z(3, 1.0F);
   for (int k = 0; k < 9; ++k) addPixels(z.data(), x.data(), 3, lanesFrom(0, nothing));
   WindowSums columns = nothing;
-  fitCrossings(lanesFrom(0, nothing), lanesFrom(0, columns), x.data(), 0.1, 3, bounds, rowsOf(fits));
-  for (int i = 0; i < 3; ++i) EXPECT_EQ(fits(5, i) + fits(6, i), 0.0);
+  forget();
+  fitCrossings(lanesFrom(0, nothing), lanesFrom(0, columns), x.data(), 0.1, 3, bounds, fits);
+  expectNone();
 
-  fitCrossings(lanesFrom(0, nothing), lanesFrom(0, columns), x.data(), 0.1, 0, bounds, rowsOf(fits));
+  fitCrossings(lanesFrom(0, nothing), lanesFrom(0, columns), x.data(), 0.1, 0, bounds, fits);
   addPixels(nullptr, nullptr, 0, lanesFrom(0, columns));
 }
 

@@ -4,8 +4,8 @@
 #include "patch_kernels.h"
 #include "row_kernels.h"
 
-/// The functions of row_kernels.h and patch_kernels.h compiled once more, one pixel after the other and for
-/// the plainest of machines.
+/// The vectorised functions of row_kernels.h and patch_kernels.h compiled once more, one pixel after the
+/// other and for the plainest of machines.
 namespace scalar_twin {
 namespace line_plane_segmentation {
 
