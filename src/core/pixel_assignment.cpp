@@ -153,6 +153,7 @@ void PixelAssigner::assign(const DepthImage& depth, const ViewRays& rays, const 
   image.clear();
   spans_.clear();
   fine_spans_.clear();
+  meetings_.clear();
   for (int v = 0, row = -1, fine_row = -1; v < depth.height; ++v) {
     const auto enter = [&](const Tiles& tiles, int& entered, std::vector<Span>& spans) {
       const int tile_row = std::min(v / tiles.spacing, tiles.rows - 1);

@@ -236,6 +236,23 @@ TEST(PixelAssigner, JoinsOverASpeckleNearThePlane) {
   EXPECT_EQ(labelOfMovedPixels(5.0, kMaxSpeckle), 0) << "too far off for a speckle";
 }
 
+TEST(PixelAssigner, ForgetsTheCreasesOfTheImageBefore) {
+  const CameraIntrinsics camera = kinectCamera(320, 240);
+  DepthImage corner = blankDepth(320, 240);
+  paint(surfaceAt(1.8, 0.6), camera, {0, 160, 0, 240}, corner);
+  paint(surfaceAt(1.8, -0.6), camera, {160, 320, 0, 240}, corner);
+  PixelAssigner assigner;
+  const Assignment before(corner, adaptiveParameters(320), assigner);
+  ASSERT_EQ(before.clusters.size(), 2U);
+  // Too low for a row of patches.
+  const Assignment low(render(surfaceAt(1.5), kinectCamera(320, 2), 320, 2), adaptiveParameters(320),
+                       assigner);
+  EXPECT_EQ(std::count(low.labels.begin(), low.labels.end(), 0), 640);
+  const Assignment narrow(render(surfaceAt(1.5), kinectCamera(2, 240), 2, 240), adaptiveParameters(320),
+                          assigner);
+  EXPECT_EQ(std::count(narrow.labels.begin(), narrow.labels.end(), 0), 480);
+}
+
 TEST(PixelAssigner, OfNoPlanesOrNoDepthGivesNoLabels) {
   PixelAssigner assigner;
   const Assignment no_depth(blankDepth(60, 40), adaptiveParameters(60), assigner);

@@ -6,6 +6,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <vector>
 
 #include "support/principal_axes.h"
@@ -37,10 +38,12 @@ struct LabelledImage {
     }
   }
 
-  const std::vector<SegmentedPlane>& measure(int label_count, double min_area = 0.0) {
+  const std::vector<SegmentedPlane>& measure(
+      int label_count, double min_area = 0.0,
+      const std::vector<std::optional<PlaneEstimate>>& estimates = {}) {
     LabelRuns runs;
     runs.scan(segmentation.labels, depth.width, depth.height);
-    PlaneMeasurement().measure(depth, rays, camera, label_count, min_area, runs, segmentation);
+    PlaneMeasurement().measure(depth, rays, camera, label_count, min_area, runs, segmentation, estimates);
     runs.write(segmentation.labels, depth.width);
     return segmentation.planes;
   }
@@ -140,6 +143,17 @@ TEST(PlaneMeasurement, DropsLabelsThatSpanNoPlaneAndMovesTheOthersDown) {
   for (std::size_t i = 0; i < before.size(); ++i) {
     EXPECT_EQ(image.segmentation.labels[i], before[i] == 2 ? 1 : before[i] == 6 ? 2 : 0);
   }
+}
+
+TEST(PlaneMeasurement, DropsAPlaneWhosePixelsLieBehindIt) {
+  LabelledImage image(render(surfaceAt(1.5), kinectCamera(64, 48), 64, 48));
+  image.paintLabel(1, {40, 60, 10, 30});
+  PlaneEstimate estimate{Eigen::Vector3d::UnitX(), 0.5, Eigen::Matrix4d::Zero()};  // the pixels are at x > 0
+  EXPECT_TRUE(image.measure(1, 0.0, {estimate}).empty());
+  EXPECT_EQ(std::count(image.segmentation.labels.begin(), image.segmentation.labels.end(), 0), 64 * 48);
+  image.paintLabel(1, {40, 60, 10, 30});
+  estimate.normal = -Eigen::Vector3d::UnitZ();
+  EXPECT_EQ(image.measure(1, 0.0, {estimate}).size(), 1U);
 }
 
 TEST(PlaneMeasurement, DropsPlanesUnderTheSmallestArea) {
