@@ -2,6 +2,7 @@
 #include "seeds.h"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <cstddef>
 
@@ -49,8 +50,8 @@ Seeds cloudSeeds() {
   for (int field = 0; field < 24; ++field) {
     sensor_msgs::PointCloud2 cloud = testCloud(kWidth, kHeight);
     setPlane(cloud, testCamera(kWidth, kHeight), Eigen::Vector3d(0.0, 0.6, -0.8), 1.5);
-    const std::uint8_t value = 11;  // of the awkward numbers the largest
-    ByteReader bytes(&value, 1);
+    const std::array<std::uint8_t, 16> drawn = {11};  // of the awkward numbers the largest
+    ByteReader bytes(drawn.data(), drawn.size());
     FieldAlterer alterer(field, bytes);
     visitFields(cloud, alterer);
     seeds["field_" + std::to_string(field)] = bytesOf(cloud);
