@@ -62,24 +62,32 @@ struct RegressionMoments {
   /// The sum of squared errors of the pixels to a plane of any kind.
   double squaredErrorTo(const InverseDepthPlane& plane) const;
 
+  /// Fits the plane, without a branch, so that many can be fitted at a time.
+  /// @param squared_error  the sum of the pixels' squared errors
+  /// @return whether the pixels fix a plane; if not, plane and error are of no use
+  bool fit(InverseDepthPlane& plane, double& squared_error) const;
+
   /// Fits the plane.
   /// @return the sum of squared errors, or a negative number if the pixels do not fix a plane
-  double fit(InverseDepthPlane& plane) const;
+  double fit(InverseDepthPlane& plane) const {
+    double squared_error = 0.0;
+    return fit(plane, squared_error) ? squared_error : -1.0;
+  }
 };
 
-inline double RegressionMoments::fit(InverseDepthPlane& plane) const {
-  if (!(one > 0.0)) return -1.0;
+inline bool RegressionMoments::fit(InverseDepthPlane& plane, double& squared_error) const {
   const double share = 1.0 / one;
   const double x_mean = x * share, y_mean = y * share, w_mean = w * share;
   const double cxx = xx - x * x_mean, cxy = xy - x * y_mean, cyy = yy - y * y_mean;
   const double cxw = xw - x * w_mean, cyw = yw - y * w_mean, cww = ww - w * w_mean;
   const double determinant = cxx * cyy - cxy * cxy;
-  if (!(determinant > 1e-9 * cxx * cyy)) return -1.0;
   const double inverse = 1.0 / determinant;
   plane.a = (cyy * cxw - cxy * cyw) * inverse;
   plane.b = (cxx * cyw - cxy * cxw) * inverse;
   plane.c = w_mean - plane.a * x_mean - plane.b * y_mean;
-  return std::max(0.0, cww - plane.a * cxw - plane.b * cyw);
+  squared_error = std::max(0.0, cww - plane.a * cxw - plane.b * cyw);
+  // Not so of no pixels, either, of which nothing is a number.
+  return determinant > 1e-9 * cxx * cyy;
 }
 
 }  // namespace line_plane_segmentation

@@ -97,7 +97,7 @@ class PatchDetector {
                   int half_window, DepthAt&& depthAt, Cell&& cell, WindowSums& sums);
   void resetLanes(int lanes);
   void fit(int first, int count, double y, double min_points, const Parameters& parameters);
-  SurfacePatch patchOf(int crossing, int lane, double y) const;
+  SurfacePatch patchOf(int crossing, int lane, double y);
   void sumFineRow(const DepthImage& depth, const ViewRays& rays, const FinePatches& fine, int v,
                   int half_window);
 

@@ -6,6 +6,8 @@
 #include <cstddef>
 #include <vector>
 
+#include "line_plane_segmentation/inverse_depth_plane.h"
+
 namespace line_plane_segmentation {
 
 /// A table of numbers that is worked on many columns at a time: a row for each of a few quantities, a column
@@ -52,9 +54,39 @@ using WindowSums = LaneTable<6>;
 /// Of the pixels' number n, ray coordinate t and inverse depth w = 1/z.
 enum Sum : int { kSumN, kSumT, kSumTt, kSumW, kSumTw, kSumWw };
 
+/// The sums of one window.
+struct LineSums {
+  double n, t, tt, w, tw, ww;
+
+  /// The squared error of the line through the pixels, of no use if they have one t only.
+  double squaredErrorOfLine() const {
+    const double share = 1.0 / n;
+    const double ctt = tt - t * t * share, ctw = tw - t * w * share, cww = ww - w * w * share;
+    return cww - ctw * ctw / ctt;
+  }
+};
+
+/// The moments of the pixels of two windows that cross where the rays are x and y, of a row and of a column.
+inline RegressionMoments momentsOfCrossing(const LineSums& row, const LineSums& column, double x, double y) {
+  const double n = row.n + column.n;
+  return {row.tt + x * x * column.n,
+          y * row.t + x * column.t,
+          y * y * row.n + column.tt,
+          row.t + x * column.n,
+          y * row.n + column.t,
+          n,
+          row.tw + x * column.w,
+          y * row.w + column.tw,
+          row.w + column.w,
+          row.ww + column.ww,
+          n};
+}
+
 /// The sums of neighbouring windows.
 struct WindowLanes {
   double *n, *t, *tt, *w, *tw, *ww;
+
+  LineSums operator[](int i) const { return {n[i], t[i], tt[i], w[i], tw[i], ww[i]}; }
 };
 
 /// Those from a window on.

@@ -57,8 +57,7 @@ void PlaneMeasurement::measure(const DepthImage& depth, const ViewRays& rays, co
                                        ? fittedPlane(fit, moments)
                                        : estimates[label - 1].value_or(estimateFromPixels(fit, moments));
     const double edge_on = kEdgeOn * fit.centroid.norm();
-    // The pixels' mean may lie off a plane of the patches, beyond the camera even if that is seen nearly
-    // edge-on.
+    // Where one looks along a plane of patches, the mean of its pixels may lie on the camera's other side.
     if (!(estimate.d > edge_on && -estimate.normal.dot(fit.centroid) > edge_on)) continue;
     // A pixel of depth z covers z² / (fx fy) facing the camera, and on the plane, seen under the angle whose
     // cosine is d / (z |ray|) there, z³ / (d fx fy).

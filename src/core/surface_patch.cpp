@@ -65,7 +65,7 @@ void PatchDetector::fit(int first, int count, double y, double min_points, const
 }
 
 // The patch of a crossing that has been fitted.
-SurfacePatch PatchDetector::patchOf(int crossing, int lane, double y) const {
+SurfacePatch PatchDetector::patchOf(int crossing, int lane, double y) {
   SurfacePatch patch;
   patch.has_line = fits_(kFitLines, lane) > 0.0;
   patch.is_planar = fits_(kFitPlanar, lane) > 0.0;
@@ -73,21 +73,9 @@ SurfacePatch PatchDetector::patchOf(int crossing, int lane, double y) const {
   patch.plane = {fits_(kFitA, lane), fits_(kFitB, lane), fits_(kFitC, lane)};
   const double weight = 1.0 / (fits_(kFitTolerance, lane) * fits_(kFitTolerance, lane));
   patch.squared_error = fits_(kFitSquaredError, lane) * weight;
-  const auto row = [&](Sum sum) { return row_sums_(sum, crossing); };
-  const auto column = [&](Sum sum) { return column_sums_(sum, crossing); };
-  const double x = static_cast<double>(x_[static_cast<std::size_t>(lane)]);
-  RegressionMoments& m = patch.moments;
-  m.xx = row(kSumTt) + x * x * column(kSumN);
-  m.xy = y * row(kSumT) + x * column(kSumT);
-  m.yy = y * y * row(kSumN) + column(kSumTt);
-  m.x = row(kSumT) + x * column(kSumN);
-  m.y = y * row(kSumN) + column(kSumT);
-  m.one = m.pixels = row(kSumN) + column(kSumN);
-  m.xw = row(kSumTw) + x * column(kSumW);
-  m.yw = y * row(kSumW) + column(kSumTw);
-  m.w = row(kSumW) + column(kSumW);
-  m.ww = row(kSumWw) + column(kSumWw);
-  m.scale(weight);
+  patch.moments = momentsOfCrossing(lanesFrom(crossing, row_sums_)[0], lanesFrom(crossing, column_sums_)[0],
+                                    static_cast<double>(x_[static_cast<std::size_t>(lane)]), y);
+  patch.moments.scale(weight);
   return patch;
 }
 

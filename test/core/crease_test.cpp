@@ -4,10 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <cstddef>
-#include <cstdint>
 #include <vector>
 
-#include "line_plane_segmentation/patch_clustering.h"
+#include "support/clustered_image.h"
 #include "support/resolved_parameters.h"
 #include "support/synthetic_depth.h"
 
@@ -17,38 +16,23 @@ namespace {
 constexpr int kWidth = 320, kHeight = 240;
 
 /// What is found of an image, and how its planes meet.
-struct Found {
-  ViewRays rays = raysOf(kinectCamera(kWidth, kHeight), kWidth, kHeight);
-  PatchLevels levels;
-  std::vector<PatchCluster> clusters;
-  std::vector<int> cluster_of;
+struct Found : ClusteredImage {
   Creases creases;
 
-  explicit Found(const DepthImage& depth) {
-    const Parameters parameters = adaptiveParameters(kWidth);
-    PatchDetector detector;
-    PatchClusterer clusterer;
-    std::vector<std::uint8_t> explained;
-    detector.detect(depth, rays, parameters, levels.coarse);
-    clusterer.clusterCoarse(levels.coarse, parameters, explained);
-    detector.refine(depth, rays, parameters, explained, levels);
-    clusterer.cluster(depth, rays, levels, parameters, clusters, cluster_of);
+  explicit Found(const DepthImage& depth) : ClusteredImage(depth, adaptiveParameters(kWidth)) {
     creases.find(rays, levels.coarse, clusters, cluster_of);
   }
 };
 
 /// Two walls that meet in the middle of the picture, or one that ends there before another.
 DepthImage walls(double left_yaw, double right_yaw, double right_distance = 1.8) {
-  DepthImage depth = blankDepth(kWidth, kHeight);
-  paint(surfaceAt(1.8, left_yaw), kinectCamera(kWidth, kHeight), {0, 160, 0, 240}, depth);
-  paint(surfaceAt(right_distance, right_yaw), kinectCamera(kWidth, kHeight), {160, 320, 0, 240}, depth);
-  return depth;
+  return halves(surfaceAt(1.8, left_yaw), surfaceAt(right_distance, right_yaw), kinectCamera(kWidth, kHeight),
+                kWidth, kHeight);
 }
 
 /// The sign of what is seen on the left: whether the left wall, continued, lies before the right one there.
 Fold expectedFold(const Found& found) {
-  const int left = found.cluster_of[static_cast<std::size_t>(found.levels.coarse.indexAt(40, 120))];
-  const int right = found.cluster_of[static_cast<std::size_t>(found.levels.coarse.indexAt(280, 120))];
+  const int left = found.at(40, 120), right = found.at(280, 120);
   EXPECT_GE(left, 0);
   EXPECT_GE(right, 0);
   EXPECT_NE(left, right);
@@ -82,6 +66,22 @@ TEST(Creases, PlanesOnEitherSideOfAStepDoNotMeet) {
   const Found found(walls(0.3, 0.3, 3.0));
   ASSERT_EQ(found.clusters.size(), 2U);
   EXPECT_EQ(found.creases.between(0, 1), Fold::kNone);
+}
+
+/// How the walls of a corner meet, there being so many clusters.
+Fold foldAmong(std::size_t count) {
+  const Found corner(walls(0.6, -0.6));
+  std::vector<PatchCluster> clusters(count);
+  clusters[0] = corner.clusters[0];
+  clusters[1] = corner.clusters[1];
+  Creases creases;
+  creases.find(corner.rays, corner.levels.coarse, clusters, corner.cluster_of);
+  return creases.between(0, 1);
+}
+
+TEST(Creases, AreFoundAmongUpTo200Clusters) {
+  EXPECT_NE(foldAmong(200), Fold::kNone);
+  EXPECT_EQ(foldAmong(201), Fold::kNone);
 }
 
 TEST(Creases, OfNothingIsNothing) {

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "support/clustered_image.h"
 #include "support/random.h"
 #include "support/resolved_parameters.h"
 #include "support/synthetic_depth.h"
@@ -20,23 +21,9 @@ const CameraIntrinsics kCamera = kinectCamera(kWidth, kHeight);
 const ViewRays kRays = raysOf(kCamera, kWidth, kHeight);
 
 /// The clusters of an image.
-struct Clusters {
-  PatchLevels levels;
-  std::vector<std::uint8_t> explained;
-  std::vector<PatchCluster> clusters;
-  std::vector<int> cluster_of;
-
-  explicit Clusters(const DepthImage& depth, const Parameters& parameters = adaptiveParameters(kWidth)) {
-    PatchDetector detector;
-    PatchClusterer clusterer;
-    detector.detect(depth, kRays, parameters, levels.coarse);
-    clusterer.clusterCoarse(levels.coarse, parameters, explained);
-    detector.refine(depth, kRays, parameters, explained, levels);
-    clusterer.cluster(depth, kRays, levels, parameters, clusters, cluster_of);
-  }
-
-  /// The cluster of the coarse patch nearest to a pixel, or -1.
-  int at(int u, int v) const { return cluster_of[static_cast<std::size_t>(levels.coarse.indexAt(u, v))]; }
+struct Clusters : ClusteredImage {
+  explicit Clusters(const DepthImage& depth, const Parameters& parameters = adaptiveParameters(kWidth))
+      : ClusteredImage(depth, parameters) {}
 
   /// Whether the cluster at a pixel is the surface.
   bool isAt(int u, int v, const Surface& surface) const {
@@ -55,13 +42,6 @@ DepthImage noisy(DepthImage depth, double factor = 0.7) {
   return depth;
 }
 
-DepthImage halves(const Surface& left, const Surface& right) {
-  DepthImage depth = blankDepth(kWidth, kHeight);
-  paint(left, kCamera, {0, kWidth / 2, 0, kHeight}, depth);
-  paint(right, kCamera, {kWidth / 2, kWidth, 0, kHeight}, depth);
-  return depth;
-}
-
 TEST(PatchClusterer, MakesOneClusterOfOnePlane) {
   const Surface surface = surfaceAt(2.0, 0.5, -0.3);
   const Clusters found(noisy(render(surface, kCamera, kWidth, kHeight)));
@@ -74,7 +54,7 @@ TEST(PatchClusterer, MakesOneClusterOfOnePlane) {
 TEST(PatchClusterer, PartsPlanesAtACreaseAndAtAStep) {
   const Surface pairs[][2] = {{surfaceAt(1.8, 0.4), surfaceAt(1.8, -0.4)}, {surfaceAt(1.4), surfaceAt(1.5)}};
   for (const auto& pair : pairs) {
-    const Clusters found(noisy(halves(pair[0], pair[1])));
+    const Clusters found(noisy(halves(pair[0], pair[1], kCamera, kWidth, kHeight)));
     ASSERT_EQ(found.clusters.size(), 2U);
     EXPECT_TRUE(found.isAt(60, 120, pair[0]));
     EXPECT_TRUE(found.isAt(260, 120, pair[1]));
@@ -113,7 +93,7 @@ TEST(PatchClusterer, JoinsNothingApartIfThatMayCostNothing) {
 }
 
 TEST(PatchClusterer, DropsClustersOfTooFewPatches) {
-  const DepthImage depth = noisy(halves(surfaceAt(1.4), surfaceAt(1.5)));
+  const DepthImage depth = noisy(halves(surfaceAt(1.4), surfaceAt(1.5), kCamera, kWidth, kHeight));
   Parameters parameters = adaptiveParameters(kWidth);
   ASSERT_FALSE(Clusters(depth, parameters).clusters.empty());
   parameters.clusters.min_patches = 100000;  // more than there can be, fine ones included
@@ -180,7 +160,7 @@ TEST(PatchClusterer, FindsANarrowPlaneByFinePatches) {
 }
 
 TEST(PatchClusterer, CallsExplainedWhatIsInAPlane) {
-  const Clusters found(noisy(halves(surfaceAt(1.4), surfaceAt(1.5))));
+  const Clusters found(noisy(halves(surfaceAt(1.4), surfaceAt(1.5), kCamera, kWidth, kHeight)));
   ASSERT_EQ(found.explained.size(), found.levels.coarse.patches.size());
   EXPECT_NE(found.explained[static_cast<std::size_t>(found.levels.coarse.indexAt(60, 120))], 0);
   EXPECT_EQ(found.explained[static_cast<std::size_t>(found.levels.coarse.indexAt(160, 120))], 0);

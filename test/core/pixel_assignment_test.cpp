@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "support/clustered_image.h"
 #include "support/random.h"
 #include "support/resolved_parameters.h"
 #include "support/synthetic_depth.h"
@@ -19,27 +20,14 @@ namespace {
 constexpr int kMaxSpeckle = 3;  // [px] runs as short may have been joined to their neighbours
 
 /// An image with its clusters, and the labels of its pixels.
-struct Assignment {
+struct Assignment : ClusteredImage {
   DepthImage depth;
-  ViewRays rays;
   Parameters parameters;
-  PatchLevels levels;
-  std::vector<PatchCluster> clusters;
-  std::vector<int> cluster_of;
   std::vector<std::uint16_t> labels;  // kNoDepthLabel where there is no depth
   Creases creases;
 
   Assignment(const DepthImage& image, const Parameters& p, PixelAssigner& assigner)
-      : depth(image),
-        rays(raysOf(kinectCamera(image.width, image.height), image.width, image.height)),
-        parameters(p) {
-    PatchDetector detector;
-    PatchClusterer clusterer;
-    std::vector<std::uint8_t> explained;
-    detector.detect(depth, rays, parameters, levels.coarse);
-    clusterer.clusterCoarse(levels.coarse, parameters, explained);
-    detector.refine(depth, rays, parameters, explained, levels);
-    clusterer.cluster(depth, rays, levels, parameters, clusters, cluster_of);
+      : ClusteredImage(image, p), depth(image), parameters(p) {
     creases.find(rays, levels.coarse, clusters, cluster_of);
     assign(assigner);
   }
@@ -169,11 +157,8 @@ TEST(PixelAssigner, GivesEachPixelToTheBestOfThePlanesNearby) {
 // The noise of the pixels at a corner, more than a centimetre at 4 m, moves no pixel over the line where the
 // walls meet.
 TEST(PixelAssigner, PartsNoisyWallsAlongALine) {
-  const CameraIntrinsics camera = kinectCamera(640, 480);
   for (const double tilt : {0.6, -0.6}) {
-    DepthImage depth = blankDepth(640, 480);
-    paint(surfaceAt(4.0, tilt), camera, {0, 320, 0, 480}, depth);
-    paint(surfaceAt(4.0, -tilt), camera, {320, 640, 0, 480}, depth);
+    DepthImage depth = halves(surfaceAt(4.0, tilt), surfaceAt(4.0, -tilt), kinectCamera(640, 480), 640, 480);
     Random random(7);
     addNoise(NoiseParameters{}, 0.5, random, depth);
     PixelAssigner assigner;
@@ -196,10 +181,8 @@ TEST(PixelAssigner, PartsNoisyWallsAlongALine) {
 }
 
 TEST(PixelAssigner, PartsTwoWallsAlongTheirCorner) {
-  const CameraIntrinsics camera = kinectCamera(320, 240);
-  DepthImage depth = blankDepth(320, 240);
-  paint(surfaceAt(1.8, 0.6), camera, {0, 160, 0, 240}, depth);
-  paint(surfaceAt(1.8, -0.6), camera, {160, 320, 0, 240}, depth);
+  const DepthImage depth =
+      halves(surfaceAt(1.8, 0.6), surfaceAt(1.8, -0.6), kinectCamera(320, 240), 320, 240);
   PixelAssigner assigner;
   const Assignment assignment(depth, adaptiveParameters(320), assigner);
   ASSERT_EQ(assignment.clusters.size(), 2U);
@@ -234,23 +217,6 @@ TEST(PixelAssigner, JoinsOverASpeckleNearThePlane) {
   EXPECT_EQ(labelOfMovedPixels(1.5, kMaxSpeckle), 1) << "a speckle";
   EXPECT_EQ(labelOfMovedPixels(1.5, kMaxSpeckle + 1), 0) << "too wide for a speckle";
   EXPECT_EQ(labelOfMovedPixels(5.0, kMaxSpeckle), 0) << "too far off for a speckle";
-}
-
-TEST(PixelAssigner, ForgetsTheCreasesOfTheImageBefore) {
-  const CameraIntrinsics camera = kinectCamera(320, 240);
-  DepthImage corner = blankDepth(320, 240);
-  paint(surfaceAt(1.8, 0.6), camera, {0, 160, 0, 240}, corner);
-  paint(surfaceAt(1.8, -0.6), camera, {160, 320, 0, 240}, corner);
-  PixelAssigner assigner;
-  const Assignment before(corner, adaptiveParameters(320), assigner);
-  ASSERT_EQ(before.clusters.size(), 2U);
-  // Too low for a row of patches.
-  const Assignment low(render(surfaceAt(1.5), kinectCamera(320, 2), 320, 2), adaptiveParameters(320),
-                       assigner);
-  EXPECT_EQ(std::count(low.labels.begin(), low.labels.end(), 0), 640);
-  const Assignment narrow(render(surfaceAt(1.5), kinectCamera(2, 240), 2, 240), adaptiveParameters(320),
-                          assigner);
-  EXPECT_EQ(std::count(narrow.labels.begin(), narrow.labels.end(), 0), 480);
 }
 
 TEST(PixelAssigner, OfNoPlanesOrNoDepthGivesNoLabels) {

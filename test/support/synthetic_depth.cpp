@@ -72,6 +72,14 @@ DepthImage render(const Surface& surface, const CameraIntrinsics& camera, int wi
   return depth;
 }
 
+DepthImage halves(const Surface& left, const Surface& right, const CameraIntrinsics& camera, int width,
+                  int height) {
+  DepthImage depth = blankDepth(width, height);
+  paint(left, camera, {0, width / 2, 0, height}, depth);
+  paint(right, camera, {width / 2, width, 0, height}, depth);
+  return depth;
+}
+
 void addNoise(const NoiseParameters& noise, double factor, Random& random, DepthImage& depth) {
   for (float& z : depth.z) {
     if (z > 0.0F) z = static_cast<float>(std::max(1e-3, z + factor * noise.sigma(z) * random.gaussian()));

@@ -45,6 +45,10 @@ void paint(const Surface& surface, const CameraIntrinsics& camera, const Region&
 /// An image of one surface.
 DepthImage render(const Surface& surface, const CameraIntrinsics& camera, int width, int height);
 
+/// An image of two surfaces, one left of the other, parted in the middle.
+DepthImage halves(const Surface& left, const Surface& right, const CameraIntrinsics& camera, int width,
+                  int height);
+
 /// Moves every depth by the noise of Eq. 5 times `factor`.
 void addNoise(const NoiseParameters& noise, double factor, Random& random, DepthImage& depth);
 

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "line_plane_segmentation/patch_clustering.h"
+
+namespace line_plane_segmentation {
+
+/// What the adaptive method's stages up to the clusters make of an image of the Kinect's camera.
+struct ClusteredImage {
+  ViewRays rays;
+  PatchLevels levels;
+  std::vector<std::uint8_t> explained;
+  std::vector<PatchCluster> clusters;
+  std::vector<int> cluster_of;
+
+  /// @param parameters  resolved
+  ClusteredImage(const DepthImage& depth, const Parameters& parameters);
+
+  /// The cluster of the coarse patch nearest to a pixel, or -1.
+  int at(int u, int v) const { return cluster_of[static_cast<std::size_t>(levels.coarse.indexAt(u, v))]; }
+};
+
+}  // namespace line_plane_segmentation
