@@ -17,9 +17,9 @@ install(TARGETS line_plane_segmentation_core EXPORT line_plane_segmentation
   RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 install(EXPORT line_plane_segmentation DESTINATION ${config_folder}
   NAMESPACE line_plane_segmentation:: FILE line_plane_segmentationTargets.cmake)
-# The simulated camera is a library of its own, which is not built here.
+# What has to do with messages, and the simulated camera, are libraries of their own, which are not built here.
 install(DIRECTORY include/line_plane_segmentation/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/line_plane_segmentation
-  PATTERN simulation EXCLUDE)
+  PATTERN ros EXCLUDE PATTERN simulation EXCLUDE)
 
 configure_package_config_file(cmake/line_plane_segmentationConfig.cmake.in
   ${CMAKE_CURRENT_BINARY_DIR}/line_plane_segmentationConfig.cmake INSTALL_DESTINATION ${config_folder})

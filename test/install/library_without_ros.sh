@@ -20,3 +20,13 @@ cmake -S "$source_folder/doc/examples/library" -B "$scratch/example" -DCMAKE_DIS
   -DCMAKE_PREFIX_PATH="$scratch/installed"
 cmake --build "$scratch/example"
 "$scratch/example/find_planes"
+
+# Nor may any header need more than is there; where ROS lies in /usr the compiler would find it.
+cd "$scratch/installed/include"
+if grep -rE '#include <(ros|[a-z_]+_msgs|line_plane_segmentation/(ros|simulation))/' .; then
+  echo "these headers need what is not installed" >&2
+  exit 1
+fi
+find line_plane_segmentation -name '*.h' -printf '#include <%p>\n' >"$scratch/all_headers.cpp"
+eigen=$(sed -n 's|^Eigen3_DIR:PATH=\(.*\)/share/.*|\1/include/eigen3|p' "$scratch/example/CMakeCache.txt")
+c++ -std=c++17 -fsyntax-only -I . -isystem "$eigen" "$scratch/all_headers.cpp"
