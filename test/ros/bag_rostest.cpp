@@ -20,6 +20,7 @@
 #include <string>
 #include <vector>
 
+#include "reconfigure.h"
 #include "test_camera.h"
 
 namespace line_plane_segmentation {
@@ -71,8 +72,18 @@ Eigen::Isometry3d toEigen(const geometry_msgs::Transform& t) {
 
 class BagTest : public testing::Test {
  protected:
-  void readBag(const std::string& path) {
-    const rosbag::Bag bag(path);
+  void SetUp() override {
+    path_ = dataFolder() + "/bags/tum_fr1_rpy.bag";
+    if (!std::ifstream(path_)) {
+      ASSERT_FALSE(mustHaveData()) << "the recorded data is missing: no " << path_;
+      GTEST_SKIP() << "the recorded data is missing: no " << path_;
+    }
+    readBag();
+    ASSERT_EQ(90U, stamps_.size());
+  }
+
+  void readBag() {
+    const rosbag::Bag bag(path_);
     for (const rosbag::MessageInstance& message : rosbag::View(bag)) {
       if (const auto image = message.instantiate<sensor_msgs::Image>())
         stamps_.push_back(image->header.stamp);
@@ -83,14 +94,14 @@ class BagTest : public testing::Test {
   }
 
   // The bag runs once at its own speed, 30 Hz.
-  void play(const std::string& path) {
+  void play() {
     ros::NodeHandle nh;
     const ros::Subscriber planes =
         nh.subscribe<PlaneArray>("plane_segmenter/planes", 1000,
                                  [this](const PlaneArray::ConstPtr& answer) { answers_.push_back(answer); });
     // rosbag waits until each of its topics has a subscriber, and only then starts.
     const Inbox<tf2_msgs::TFMessage> transforms("/tf");
-    const std::string command = "rosrun rosbag play --quiet --wait-for-subscribers '" + path + "'";
+    const std::string command = "rosrun rosbag play --quiet --wait-for-subscribers '" + path_ + "'";
     ASSERT_EQ(0, std::system(command.c_str()));
     waitUntil([this] { return answers_.size() >= stamps_.size(); });
   }
@@ -142,20 +153,14 @@ class BagTest : public testing::Test {
     EXPECT_GE(level, 70);
   }
 
+  std::string path_;
   std::vector<ros::Time> stamps_;
   tf2::BufferCore transforms_{ros::Duration(3600.0)};
   std::vector<PlaneArray::ConstPtr> answers_;
 };
 
 TEST_F(BagTest, everyFrameIsAnsweredAndTheDeskFound) {
-  const std::string path = dataFolder() + "/bags/tum_fr1_rpy.bag";
-  if (!std::ifstream(path)) {
-    ASSERT_FALSE(mustHaveData()) << "the recorded data is missing: no " << path;
-    GTEST_SKIP() << "the recorded data is missing: no " << path;
-  }
-  readBag(path);
-  ASSERT_EQ(90U, stamps_.size());
-  play(path);
+  play();
 
   std::vector<ros::Time> answered;
   std::vector<float> milliseconds;
@@ -172,6 +177,30 @@ TEST_F(BagTest, everyFrameIsAnsweredAndTheDeskFound) {
             << " ms a frame (median; slowest " << milliseconds.back() << ")\n";
   EXPECT_GE(with_desk, 80);
   expectOneDesk();
+}
+
+// With target_frame the planes themselves are the world's, by the transforms of the images' stamps.
+TEST_F(BagTest, theDeskStandsInTheWorld) {
+  const auto frames = [](const std::string& target) {
+    return [target](PlaneSegmenterConfig& config) {
+      config.gravity_frame = config.fixed_frame = "world";
+      config.target_frame = target;
+    };
+  };
+  ASSERT_EQ("world", reconfigure(frames("world")).target_frame);
+  play();
+  reconfigure(frames(""));
+  int with_desk = 0, in_world = 0;
+  for (const PlaneArray::ConstPtr& answer : answers_) {
+    const auto is_desk = [](const Plane& plane) { return isDesk(plane, Eigen::Isometry3d::Identity()); };
+    in_world += answer->header.frame_id == "world" ? 1 : 0;
+    with_desk += std::any_of(answer->planes.begin(), answer->planes.end(), is_desk) ? 1 : 0;
+  }
+  std::cout << "in the world: " << in_world << " of " << answers_.size() << " answers, " << with_desk
+            << " with the desk\n";
+  EXPECT_EQ(answers_.size(), static_cast<std::size_t>(in_world));
+  EXPECT_GE(in_world, 85);
+  EXPECT_GE(with_desk, 65);
 }
 
 }  // namespace

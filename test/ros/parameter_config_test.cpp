@@ -6,7 +6,9 @@
 #include <algorithm>
 #include <limits>
 #include <map>
+#include <string>
 #include <type_traits>
+#include <vector>
 
 namespace line_plane_segmentation {
 namespace {
@@ -44,6 +46,22 @@ NodeletParameters unusualParameters() {
   parameters.method.scanlines.min_range = 0.2;
   parameters.preset = "custom";
   return parameters;
+}
+
+TEST(ConfigFile, groupsAllButWhatChoosesTheRest) {
+  std::size_t groups = 0, in_groups = 0;
+  std::vector<std::string> above;
+  for (const dynamic_reconfigure::Group& group : PlaneSegmenterConfig::__getDescriptionMessage__().groups) {
+    if (group.name == "Default") {
+      for (const auto& parameter : group.parameters) above.push_back(parameter.name);
+      continue;
+    }
+    ++groups;
+    in_groups += group.parameters.size();
+  }
+  EXPECT_EQ((std::vector<std::string>{"preset", "method"}), above);
+  EXPECT_GE(groups, 5U);
+  EXPECT_EQ(in_groups + above.size(), PlaneSegmenterConfig::__getParamDescriptions__().size());
 }
 
 // The .cfg file repeats what parameters.h says, because dynamic_reconfigure cannot read that.

@@ -8,6 +8,7 @@
 #include <visualization_msgs/MarkerArray.h>
 
 #include <boost/make_shared.hpp>
+#include <vector>
 
 #include "test_camera.h"
 
@@ -90,6 +91,60 @@ TEST_F(ZeroCopy, readsTheVeryImageAndPassesOnTheVeryResults) {
   EXPECT_FALSE(scanlines_.newest()->markers.empty());
   EXPECT_EQ(0, deserialized_markers);
   EXPECT_TRUE(waitUntil([&] { return image.use_count() == 1; })) << "the image is kept for ever";
+}
+
+template <typename Message>
+std::vector<std::uint8_t> bytesOf(const Message& message) {
+  const ros::SerializedMessage serialized = ros::serialization::serializeMessage(message);
+  return {serialized.buf.get(), serialized.buf.get() + serialized.num_bytes};
+}
+
+TEST_F(ZeroCopy, theImageIsAtOneAddressForAll) {
+  const Inbox<sensor_msgs::Image> others("depth/image_rect");
+  const auto image = boost::make_shared<const sensor_msgs::Image>(testImage(kWidth, kHeight, "16UC1"));
+  images_.publish(image);
+  ASSERT_TRUE(waitUntil([&] { return others.count() == 1; }));
+  EXPECT_EQ(image.get(), others.newest().get());
+}
+
+// A subscriber may keep what it got for as long as it likes.
+TEST_F(ZeroCopy, whatHasBeenPublishedStaysAsItIs) {
+  const auto publish = [this](double stamp, double distance) {
+    sensor_msgs::Image image =
+        imageOfPlane(kWidth, kHeight, "16UC1", Eigen::Vector3d(0.0, 0.0, -1.0), distance);
+    sensor_msgs::CameraInfo info = testInfo(kWidth, kHeight);
+    image.header.stamp = info.header.stamp = ros::Time(stamp);
+    images_.publish(image);
+    infos_.publish(info);
+    return planes_.waitFor(ros::Time(stamp)) && labels_.waitFor(ros::Time(stamp)) &&
+           overlay_.waitFor(ros::Time(stamp)) && cloud_.waitFor(ros::Time(stamp)) &&
+           waitUntil([&] { return markers_.count() == scanlines_.count(); });
+  };
+  ASSERT_TRUE(publish(20.0, 1.5));
+  const auto planes = planes_.newest();
+  const auto labels = labels_.newest();
+  const auto overlay = overlay_.newest();
+  const auto cloud = cloud_.newest();
+  const auto markers = markers_.newest(), scanlines = scanlines_.newest();
+  const auto contents = [&] {
+    return std::vector<std::vector<std::uint8_t>>{bytesOf(*planes), bytesOf(*labels),  bytesOf(*overlay),
+                                                  bytesOf(*cloud),  bytesOf(*markers), bytesOf(*scanlines)};
+  };
+  const auto before = contents();
+  for (int i = 1; i <= 5; ++i) ASSERT_TRUE(publish(20.0 + i, 1.5 + 0.2 * i));
+  EXPECT_NE(before[0], bytesOf(*planes_.newest())) << "the images are too much alike to show anything";
+  EXPECT_EQ(before, contents());
+
+  // Nor does anything wait for those who come later, which would hold memory for good.
+  const Inbox<PlaneArray> late_planes("plane_segmenter/planes");
+  const Inbox<sensor_msgs::Image> late_labels("plane_segmenter/labels"),
+      late_overlay("plane_segmenter/overlay");
+  const Inbox<sensor_msgs::PointCloud2> late_cloud("plane_segmenter/cloud");
+  const Inbox<visualization_msgs::MarkerArray> late_markers("plane_segmenter/markers"),
+      late_scanlines("plane_segmenter/scanlines");
+  spinFor(0.5);
+  EXPECT_EQ(0, late_planes.count() + late_labels.count() + late_overlay.count() + late_cloud.count() +
+                   late_markers.count() + late_scanlines.count());
 }
 
 }  // namespace
