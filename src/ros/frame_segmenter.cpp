@@ -6,8 +6,8 @@
 namespace line_plane_segmentation {
 namespace {
 
-std_msgs::Header withoutSlash(std_msgs::Header header) {
-  if (!header.frame_id.empty() && header.frame_id.front() == '/') header.frame_id.erase(0, 1);
+std_msgs::Header withoutSlashes(std_msgs::Header header) {
+  header.frame_id.erase(0, header.frame_id.find_first_not_of('/'));
   return header;
 }
 
@@ -19,7 +19,7 @@ DepthRange rangeOf(const Parameters& parameters) {
 }  // namespace
 
 const Validation& FrameSegmenter::accept(const CameraFrame& frame) {
-  header_ = withoutSlash(frame.header());
+  header_ = withoutSlashes(frame.header());
   input_ = frame.cloud ? validate(*frame.cloud, limits_, cloud_depth_)
                        : validate(*frame.image, *frame.info, limits_);
   return input_;

@@ -42,7 +42,7 @@ class FrameSegmenter {
   /// Of the last frame: what was decided about it. The rest below is meaningful only if it was accepted.
   const Validation& input() const { return input_; }
 
-  /// The image's header, its frame_id without the leading slash that tf2 refuses.
+  /// The image's header, its frame_id without the leading slashes that tf2 refuses.
   const std_msgs::Header& header() const { return header_; }
 
   const Segmentation& segmentation() const { return *segmentation_; }

@@ -85,7 +85,7 @@ std::string problemWithText(const ros::NodeHandle& nh, const std::string& name) 
 
 void cutSlash(const std::string& name, std::string& frame, std::vector<std::string>& changes) {
   if (frame.empty() || frame.front() != '/') return;
-  frame.erase(0, 1);
+  frame.erase(0, frame.find_first_not_of('/'));
   changes.push_back(name + " starts with a slash, which tf2 refuses: it is cut off");
 }
 

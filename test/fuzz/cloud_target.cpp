@@ -15,8 +15,7 @@ CameraFrame drawFrame(ByteReader& bytes) {
     cloud = cloudOf(drawScene(bytes), bytes);
     alterFields(bytes, cloud);
   } else {
-    FieldReader reader(bytes);
-    visitFields(cloud, reader);
+    readFields(bytes, cloud);
   }
   CameraFrame frame;
   frame.cloud = boost::make_shared<sensor_msgs::PointCloud2>(cloud);
@@ -27,11 +26,7 @@ CameraFrame drawFrame(ByteReader& bytes) {
 
 void tryCloud(const std::uint8_t* data, std::size_t size) {
   ByteReader bytes(data, size);
-  const CameraFrame first = drawFrame(bytes);
-  FrameRun run(bytes);
-  run.process(first, bytes);
-  if (bytes.chance(64)) run.process(drawFrame(bytes), bytes);
-  run.expectRepeatable(first);
+  tryFrames(bytes, drawFrame);
 }
 
 }  // namespace line_plane_segmentation

@@ -9,6 +9,10 @@
 #include <string>
 #include <vector>
 
+#include "line_plane_segmentation/ros/cloud_validation.h"
+#include "message_fields.h"
+#include "ros/cloud_validation_cases.h"
+#include "ros/image_validation_cases.h"
 #include "seeds.h"
 #include "targets.h"
 
@@ -54,7 +58,40 @@ TEST_P(Corpus, holdsEveryRowOfTheTables) {
   const Seeds expected = seeds().at(GetParam().name);
   for (const auto& [name, bytes] : expected) {
     EXPECT_EQ(bytes, readFile(fs::path(CORPUS_FOLDER) / GetParam().name / name))
-        << name << ": make_test_corpus test/fuzz/corpus writes it anew";
+        << name
+        << ": build the target make_test_corpus, then "
+           "`build/devel/lib/line_plane_segmentation/make_test_corpus "
+           "test/fuzz/corpus` writes it anew";
+  }
+}
+
+template <typename... Messages>
+void readSeed(const char* target, const char* row, Messages&... messages) {
+  const std::vector<std::uint8_t> bytes = readFile(fs::path(CORPUS_FOLDER) / target / seedNameOf(row));
+  ByteReader reader(bytes.data(), bytes.size());
+  EXPECT_EQ(0, reader.integer(0, 255)) << "a scene is drawn, not the message read";
+  readFields(reader, messages...);
+  EXPECT_EQ(0U, reader.left());
+}
+
+// A seed whose bytes mean something else by now would be tried without a word.
+TEST(Seeds, ofImagesStillMeanTheirRows) {
+  for (const ValidationCase& row : validationCases()) {
+    SCOPED_TRACE(row.what);
+    sensor_msgs::Image image;
+    sensor_msgs::CameraInfo info;
+    readSeed("frame", row.what, image, info);
+    EXPECT_STREQ(nameOf(row.expected), nameOf(validate(image, info).refusal));
+  }
+}
+
+TEST(Seeds, ofCloudsStillMeanTheirRows) {
+  for (const CloudCase& row : cloudCases()) {
+    SCOPED_TRACE(row.what);
+    sensor_msgs::PointCloud2 cloud;
+    readSeed("cloud", row.what, cloud);
+    std::vector<std::uint8_t> depth;
+    EXPECT_STREQ(nameOf(row.expected), nameOf(validate(cloud, InputLimits{}, depth).refusal));
   }
 }
 

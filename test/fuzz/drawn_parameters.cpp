@@ -25,15 +25,13 @@ Method drawWithin(ByteReader& bytes, Method, Method) {
   return bytes.chance(128) ? Method::kPaper : Method::kAdaptive;
 }
 
-// Sets the parameter of this number, if there are so many.
-struct ParameterDrawer {
-  template <typename T, typename Bound>
-  void operator()(const char*, T& value, Bound min, Bound max) {
-    if (index-- == 0) value = drawWithin(bytes, static_cast<T>(min), static_cast<T>(max));
-  }
-  int index;
-  ByteReader& bytes;
-};
+template <typename Visit>
+void drawOne(ByteReader& bytes, Visit visit) {
+  actOnOne(bytes, visit, [&](const char*, auto& value, auto min, auto max) {
+    using T = std::decay_t<decltype(value)>;
+    value = drawWithin(bytes, static_cast<T>(min), static_cast<T>(max));
+  });
+}
 
 }  // namespace
 
@@ -43,8 +41,7 @@ Parameters drawParameters(ByteReader& bytes) {
   EXPECT_TRUE(loadPreset(kPresets[bytes.integer(0, 2)], parameters));
   EXPECT_TRUE(sanitize(parameters).empty()) << "a preset is in order";
   for (int i = bytes.integer(0, 7); i > 0; --i) {
-    ParameterDrawer drawer{bytes.integer(0, 33), bytes};
-    visitParameters(parameters, drawer);
+    drawOne(bytes, [&](auto visitor) { visitParameters(parameters, visitor); });
   }
   sanitize(parameters);
   return parameters;
@@ -53,9 +50,10 @@ Parameters drawParameters(ByteReader& bytes) {
 LocationParameters drawLocationParameters(ByteReader& bytes) {
   LocationParameters parameters;
   for (int i = bytes.integer(0, 3); i > 0; --i) {
-    ParameterDrawer drawer{bytes.integer(0, 9), bytes};
-    visitTrackingParameters(parameters.tracking, drawer);
-    visitOrientationParameters(parameters.orientation, drawer);
+    drawOne(bytes, [&](auto visitor) {
+      visitTrackingParameters(parameters.tracking, visitor);
+      visitOrientationParameters(parameters.orientation, visitor);
+    });
   }
   const int frames = bytes.integer(0, 7);
   if ((frames & 1) != 0) parameters.frames.target_frame = "target";

@@ -26,8 +26,7 @@ void addPlanes(ByteReader& bytes, DrawnScene& scene) {
     const double d = bytes.uniform(0.3, 6.0);
     for (std::uint32_t v = 0; v < scene.height; ++v) {
       for (std::uint32_t u = 0; u < scene.width; ++u) {
-        const Eigen::Vector3d ray((u - scene.camera.cx) / scene.camera.fx,
-                                  (v - scene.camera.cy) / scene.camera.fy, 1.0);
+        const Eigen::Vector3d ray = rayOf(scene.camera, u, v);
         float& depth = scene.depth[std::size_t{v} * scene.width + u];
         const double z = -d / std::min(normal.dot(ray), -1e-3);
         if (i == 0 || (z < depth) == nearest) depth = static_cast<float>(z);
@@ -117,8 +116,7 @@ sensor_msgs::PointCloud2 cloudOf(const DrawnScene& scene, ByteReader& bytes) {
   cloud.is_bigendian = bytes.chance(64) ? 1 : 0;
   for (std::uint32_t v = 0; v < scene.height; ++v) {
     for (std::uint32_t u = 0; u < scene.width; ++u) {
-      const Eigen::Vector3d ray((u - scene.camera.cx) / scene.camera.fx,
-                                (v - scene.camera.cy) / scene.camera.fy, 1.0);
+      const Eigen::Vector3d ray = rayOf(scene.camera, u, v);
       const float z = scene.depth[std::size_t{v} * scene.width + u];
       for (std::size_t i = 0; i < 3; ++i) {
         const auto value = static_cast<float>(ray[static_cast<Eigen::Index>(i)]) * z;

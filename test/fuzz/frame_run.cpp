@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <boost/make_shared.hpp>
+
 #include "drawn_parameters.h"
 #include "line_plane_segmentation/depth_image.h"
 #include "output_checks.h"
@@ -64,6 +66,21 @@ void FrameRun::expectRepeatable(const CameraFrame& frame) {
   other.setParameters(parameters_);
   EXPECT_EQ(other.segment(frame).refusal, segmenter_.segment(frame).refusal);
   if (other.input().accepted()) expectSameBits(other.segmentation(), segmenter_.segmentation());
+}
+
+CameraFrame frameOf(const sensor_msgs::Image& image, const sensor_msgs::CameraInfo& info) {
+  CameraFrame frame;
+  frame.image = boost::make_shared<sensor_msgs::Image>(image);
+  frame.info = boost::make_shared<sensor_msgs::CameraInfo>(info);
+  return frame;
+}
+
+void tryFrames(ByteReader& bytes, CameraFrame (*draw)(ByteReader&)) {
+  const CameraFrame first = draw(bytes);
+  FrameRun run(bytes);
+  run.process(first, bytes);
+  if (bytes.chance(64)) run.process(draw(bytes), bytes);
+  run.expectRepeatable(first);
 }
 
 }  // namespace line_plane_segmentation

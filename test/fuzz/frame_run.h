@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <sensor_msgs/CameraInfo.h>
+#include <sensor_msgs/Image.h>
 #include <tf2/buffer_core.h>
 
 #include "byte_reader.h"
@@ -27,5 +29,11 @@ class FrameRun {
   FrameSegmenter segmenter_;
   PlaneLocator locator_;
 };
+
+/// The frame of an image and its camera_info.
+CameraFrame frameOf(const sensor_msgs::Image& image, const sensor_msgs::CameraInfo& info);
+
+/// A frame, sometimes two, as `draw` makes them of the bytes, with parameters from the bytes.
+void tryFrames(ByteReader& bytes, CameraFrame (*draw)(ByteReader&));
 
 }  // namespace line_plane_segmentation

@@ -101,6 +101,13 @@ class FieldReader {
   ByteReader& bytes_;
 };
 
+/// Reads messages that writeFields() has written, or what any other bytes mean.
+template <typename... Messages>
+void readFields(ByteReader& bytes, Messages&... messages) {
+  FieldReader reader(bytes);
+  (visitFields(messages, reader), ...);
+}
+
 /// The other way: the bytes of a message. Long texts are cut off.
 class FieldWriter {
  public:
@@ -131,6 +138,13 @@ class FieldWriter {
  private:
   std::vector<std::uint8_t> bytes_;
 };
+
+template <typename... Messages>
+std::vector<std::uint8_t> writeFields(Messages&... messages) {
+  FieldWriter writer;
+  (visitFields(messages, writer), ...);
+  return writer.bytes();
+}
 
 /// Changes one field of a message to an awkward value.
 class FieldAlterer {

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <dynamic_reconfigure/config_tools.h>
 #include <gtest/gtest.h>
 
-#include <boost/make_shared.hpp>
 #include <string>
 #include <type_traits>
 #include <vector>
 
+#include "drawn_parameters.h"
 #include "drawn_scene.h"
 #include "frame_run.h"
 #include "line_plane_segmentation/ros/parameter_config.h"
@@ -15,8 +14,6 @@
 
 namespace line_plane_segmentation {
 namespace {
-
-using dynamic_reconfigure::ConfigTools;
 
 // Any value that the type has.
 template <typename T>
@@ -32,34 +29,42 @@ Method drawAny(ByteReader& bytes) {
   return static_cast<Method>(bytes.awkward<int>());
 }
 
-struct AnyValueDrawer {
-  template <typename T, typename Bound>
-  void operator()(const char* name, T& value, Bound, Bound) {
-    if (index-- != 0) return;
-    value = drawAny<T>(bytes);
-    drawn_name = name;
-  }
-  int index;
-  ByteReader& bytes;
-  std::string drawn_name = {};
-};
+template <typename Visit>
+void drawAnyOne(ByteReader& bytes, Visit visit) {
+  actOnOne(bytes, visit, [&](const char*, auto& value, auto, auto) {
+    value = drawAny<std::decay_t<decltype(value)>>(bytes);
+  });
+}
 
-void expectWithinBounds(const Parameters& parameters) {
+void expectEachWithinBounds(const Parameters& parameters) {
   visitParameters(parameters, [](const char* name, auto value, auto min, auto max) {
     using T = std::decay_t<decltype(value)>;
     EXPECT_TRUE(value >= static_cast<T>(min) && value <= static_cast<T>(max)) << name;
   });
+}
+
+void expectInOrder(const Parameters& parameters) {
+  expectEachWithinBounds(parameters);
   EXPECT_LT(parameters.scanlines.min_range, parameters.scanlines.max_range);
   EXPECT_EQ(1, parameters.candidates.points_per_segment % 2);
   EXPECT_NE(1, parameters.lines.line_window);
 }
 
-std::vector<double> valuesOf(const NodeletParameters& parameters) {
-  std::vector<double> values;
-  visitNodeletParameters(parameters, [&](const char*, const auto& value, auto, auto) {
-    values.push_back(static_cast<double>(value));
-  });
-  return values;
+void expectSame(const NodeletParameters& expected, const NodeletParameters& parameters) {
+  const auto values_of = [](const NodeletParameters& all) {
+    std::vector<double> values;
+    visitNodeletParameters(all, [&](const char*, const auto& value, auto, auto) {
+      values.push_back(static_cast<double>(value));
+    });
+    return values;
+  };
+  const auto texts_of = [](const NodeletParameters& all) {
+    std::vector<std::string> texts{all.preset};
+    visitFrames(all, [&](const char*, const std::string& frame) { texts.push_back(frame); });
+    return texts;
+  };
+  EXPECT_EQ(values_of(expected), values_of(parameters));
+  EXPECT_EQ(texts_of(expected), texts_of(parameters));
 }
 
 // Where a parameter is 0 for "from the image's width", there is one for every width.
@@ -76,11 +81,10 @@ void expectResolvable(const Parameters& parameters, int width) {
 Parameters drawByHand(ByteReader& bytes) {
   Parameters parameters;
   for (int i = bytes.integer(0, 12); i > 0; --i) {
-    AnyValueDrawer drawer{bytes.integer(0, 33), bytes};
-    visitParameters(parameters, drawer);
+    drawAnyOne(bytes, [&](auto visitor) { visitParameters(parameters, visitor); });
   }
   sanitize(parameters);
-  expectWithinBounds(parameters);
+  expectInOrder(parameters);
   EXPECT_TRUE(sanitize(parameters).empty()) << "what is in order stays as it is";
   return parameters;
 }
@@ -91,22 +95,21 @@ Parameters drawAsText(ByteReader& bytes) {
                                     "1e-400", "true", "paper", "",      "  ", "0x10"};
   Parameters parameters;
   for (int i = bytes.integer(0, 6); i > 0; --i) {
-    AnyValueDrawer drawer{bytes.integer(0, 33), bytes};
-    Parameters unused;
-    visitParameters(unused, drawer);
+    std::string name;
+    actOnOne(
+        bytes, [&](auto visitor) { visitParameters(parameters, visitor); },
+        [&](const char* drawn, auto&, auto, auto) { name = drawn; });
     std::string text = kTexts[bytes.integer(0, 11)];
     if (bytes.chance(128)) {
       text.assign(static_cast<std::size_t>(bytes.integer(0, 20)), ' ');
       for (char& letter : text) letter = static_cast<char>(bytes.raw<std::uint8_t>());
     }
-    const std::string problem = setParameter(drawer.drawn_name, text, parameters);
+    const std::string problem = setParameter(name, text, parameters);
     EXPECT_LT(problem.size(), 200U);
-    visitParameters(parameters, [](const char* name, auto value, auto min, auto max) {
-      using T = std::decay_t<decltype(value)>;
-      EXPECT_TRUE(value >= static_cast<T>(min) && value <= static_cast<T>(max)) << name;
-    });
+    expectEachWithinBounds(parameters);
   }
   sanitize(parameters);
+  expectInOrder(parameters);
   return parameters;
 }
 
@@ -119,31 +122,26 @@ Parameters drawAsRequests(ByteReader& bytes) {
   for (int request = bytes.integer(1, 3); request > 0; --request) {
     NodeletParameters wanted = parametersFrom(config);
     for (int i = bytes.integer(0, 6); i > 0; --i) {
-      AnyValueDrawer drawer{bytes.integer(0, 47), bytes};
-      visitNodeletParameters(wanted, drawer);
+      drawAnyOne(bytes, [&](auto visitor) { visitNodeletParameters(wanted, visitor); });
     }
     if (bytes.chance(64)) wanted.preset = kPresets[bytes.integer(0, 5)];
-    if (bytes.chance(64)) wanted.location.frames.gravity_frame = kFrames[bytes.integer(0, 4)];
+    visitFrames(wanted, [&](const char*, std::string& frame) {
+      if (bytes.chance(64)) frame = kFrames[bytes.integer(0, 4)];
+    });
     writeParameters(wanted, config);
     config.__clamp__();
 
     std::vector<std::string> changes;
     current = reconfigured(current, config, changes);
-    expectWithinBounds(current.method);
-    EXPECT_EQ(valuesOf(current), valuesOf(parametersFrom(config))) << "the client is told something else";
-    changes.clear();
-    const NodeletParameters again = reconfigured(current, config, changes);
-    EXPECT_EQ(valuesOf(current), valuesOf(again));
-    EXPECT_EQ(current.preset, again.preset);
+    expectInOrder(current.method);
+    {
+      SCOPED_TRACE("what the client is told");
+      expectSame(current, parametersFrom(config));
+    }
+    SCOPED_TRACE("the same request again");
+    expectSame(current, reconfigured(current, config, changes));
   }
   return current.method;
-}
-
-CameraFrame frameOf(const DrawnScene& scene, ByteReader& bytes) {
-  CameraFrame frame;
-  frame.image = boost::make_shared<sensor_msgs::Image>(imageOf(scene, bytes));
-  frame.info = boost::make_shared<sensor_msgs::CameraInfo>(testInfo(scene.width, scene.height));
-  return frame;
 }
 
 }  // namespace
@@ -155,9 +153,10 @@ void tryParameters(const std::uint8_t* data, std::size_t size) {
                                 : way == 1 ? drawAsText(bytes)
                                            : drawAsRequests(bytes);
   // As wide as an image of 16 bits may be by InputLimits.
-  expectResolvable(parameters, 1 + static_cast<int>(bytes.raw<std::uint32_t>() % (1U << 24)));
+  expectResolvable(parameters, 1 + static_cast<int>(bytes.raw<std::uint32_t>() % InputLimits{}.max_pixels));
   FrameRun run(parameters);
-  const CameraFrame frame = frameOf(drawScene(bytes), bytes);
+  const DrawnScene scene = drawScene(bytes);
+  const CameraFrame frame = frameOf(imageOf(scene, bytes), testInfo(scene.width, scene.height));
   run.process(frame, bytes);
   run.expectRepeatable(frame);
 }

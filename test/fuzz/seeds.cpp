@@ -2,11 +2,11 @@
 #include "seeds.h"
 
 #include <algorithm>
-#include <array>
 #include <cctype>
 #include <cstddef>
 
 #include "message_fields.h"
+#include "ros/cloud_validation_cases.h"
 #include "ros/image_validation_cases.h"
 #include "ros/test_clouds.h"
 #include "ros/test_messages.h"
@@ -20,18 +20,11 @@ constexpr std::uint32_t kWidth = 12;
 constexpr std::uint32_t kHeight = 9;
 constexpr std::uint8_t kAsBytes = 0;  // the first byte: a message follows
 
-std::string fileNameOf(std::string name) {
-  std::replace_if(
-      name.begin(), name.end(), [](unsigned char c) { return std::isalnum(c) == 0; }, '_');
-  return name;
-}
-
 template <typename... Messages>
 std::vector<std::uint8_t> bytesOf(Messages&... messages) {
-  FieldWriter writer;
-  writer(kAsBytes);
-  (visitFields(messages, writer), ...);
-  return writer.bytes();
+  std::vector<std::uint8_t> bytes = writeFields(messages...);
+  bytes.insert(bytes.begin(), kAsBytes);
+  return bytes;
 }
 
 Seeds frameSeeds() {
@@ -40,21 +33,18 @@ Seeds frameSeeds() {
     sensor_msgs::Image image = imageOfPlane(kWidth, kHeight, "16UC1", Eigen::Vector3d(0.0, 0.6, -0.8), 1.5);
     sensor_msgs::CameraInfo info = testInfo(kWidth, kHeight);
     each.spoil(image, info);
-    seeds[fileNameOf(each.what)] = bytesOf(image, info);
+    seeds[seedNameOf(each.what)] = bytesOf(image, info);
   }
   return seeds;
 }
 
 Seeds cloudSeeds() {
   Seeds seeds;
-  for (int field = 0; field < 24; ++field) {
+  for (const CloudCase& each : cloudCases()) {
     sensor_msgs::PointCloud2 cloud = testCloud(kWidth, kHeight);
     setPlane(cloud, testCamera(kWidth, kHeight), Eigen::Vector3d(0.0, 0.6, -0.8), 1.5);
-    const std::array<std::uint8_t, 16> drawn = {11};  // of the awkward numbers the largest
-    ByteReader bytes(drawn.data(), drawn.size());
-    FieldAlterer alterer(field, bytes);
-    visitFields(cloud, alterer);
-    seeds["field_" + std::to_string(field)] = bytesOf(cloud);
+    each.spoil(cloud);
+    seeds[seedNameOf(each.what)] = bytesOf(cloud);
   }
   return seeds;
 }
@@ -70,6 +60,12 @@ void addRandom(std::uint8_t first, Seeds& seeds) {
 }
 
 }  // namespace
+
+std::string seedNameOf(std::string row) {
+  std::replace_if(
+      row.begin(), row.end(), [](unsigned char c) { return std::isalnum(c) == 0; }, '_');
+  return row;
+}
 
 std::map<std::string, Seeds> seeds() {
   constexpr std::uint8_t kDrawn = 255;

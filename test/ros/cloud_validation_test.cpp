@@ -9,9 +9,9 @@
 #include <functional>
 #include <limits>
 #include <string>
-#include <utility>
 #include <vector>
 
+#include "cloud_validation_cases.h"
 #include "frame_segmenter.h"
 #include "test_clouds.h"
 
@@ -35,7 +35,7 @@ class CloudValidation : public testing::Test {
       const std::function<Eigen::Vector3d(std::uint32_t, std::uint32_t, const Eigen::Vector3d&)>& changed) {
     for (std::uint32_t v = 0; v < kHeight; ++v) {
       for (std::uint32_t u = 0; u < kWidth; ++u) {
-        const Eigen::Vector3d ray((u - kCamera.cx) / kCamera.fx, (v - kCamera.cy) / kCamera.fy, 1.0);
+        const Eigen::Vector3d ray = rayOf(kCamera, u, v);
         setPoint(cloud_, u, v, changed(u, v, -1.4 / kNormal.dot(ray) * ray));
       }
     }
@@ -68,52 +68,41 @@ TEST_F(CloudValidation, findsDepthAndCamera) {
     for (int v = 0; v < static_cast<int>(kHeight); ++v) {
       loadRow(found.view, v, {0.1F, 10.0F}, row.data());
       for (int u = 0; u < static_cast<int>(kWidth); ++u) {
-        const Eigen::Vector3d ray((u - kCamera.cx) / kCamera.fx, (v - kCamera.cy) / kCamera.fy, 1.0);
+        const Eigen::Vector3d ray = rayOf(kCamera, u, v);
         ASSERT_NEAR(-1.4 / kNormal.dot(ray), row[static_cast<std::size_t>(u)], 1e-5) << u << ' ' << v;
       }
     }
   }
 }
 
-TEST_F(CloudValidation, refusesWhatIsNoOrganizedCloud) {
-  const std::vector<std::pair<Refusal, std::function<void()>>> bad = {
-      {Refusal::kEmptyImage, [&] { cloud_.width = 0; }},
-      {Refusal::kEmptyImage, [&] { cloud_.height = 0; }},
-      {Refusal::kUnorganized,
-       [&] {
-         cloud_.width = kWidth * kHeight;
-         cloud_.height = 1;
-         cloud_.row_step = cloud_.width * cloud_.point_step;
-       }},
-      {Refusal::kTooLarge, [&] { cloud_.width = cloud_.height = 0xFFFFFFFFU; }},
-      {Refusal::kTooLarge, [&] { limits_.max_pixels = kWidth * kHeight - 1; }},
-      {Refusal::kCloudFields, [&] { cloud_.fields.clear(); }},
-      {Refusal::kCloudFields, [&] { cloud_.fields[2].name = "intensity"; }},
-      {Refusal::kCloudFields, [&] { cloud_.fields[0].datatype = sensor_msgs::PointField::FLOAT64; }},
-      {Refusal::kCloudFields, [&] { cloud_.fields[1].offset = cloud_.point_step - 3; }},
-      {Refusal::kCloudFields, [&] { cloud_.fields[1].offset = 0xFFFFFFFFU; }},
-      {Refusal::kCloudFields, [&] { cloud_.point_step = 0; }},
-      {Refusal::kBadStep, [&] { cloud_.row_step = kWidth * cloud_.point_step - 1; }},
-      {Refusal::kBadStep, [&] { cloud_.point_step = 0xFFFFFFFFU; }},
-      {Refusal::kShortData, [&] { cloud_.data.pop_back(); }},
-      {Refusal::kShortData, [&] { cloud_.data.clear(); }},
-      {Refusal::kShortData, [&] { cloud_.row_step = 0xFFFFFFFFU; }},
-  };
-  const sensor_msgs::PointCloud2 good = cloud_;
-  for (std::size_t i = 0; i < bad.size(); ++i) {
-    SCOPED_TRACE(i);
-    cloud_ = good;
-    limits_ = InputLimits{};
-    bad[i].second();
-    const Validation found = validate();
-    EXPECT_EQ(bad[i].first, found.refusal) << nameOf(found.refusal);
-    EXPECT_TRUE(found.view.empty());
-    EXPECT_FALSE(explain(found.refusal, cloud_).empty());
-  }
-  cloud_ = good;
-  cloud_.data.resize(cloud_.data.size() + 100);
-  limits_ = InputLimits{};
-  EXPECT_TRUE(validate().accepted()) << "more bytes than needed do no harm";
+class CloudTable : public testing::TestWithParam<CloudCase> {};
+
+TEST_P(CloudTable, decidesAsPromised) {
+  sensor_msgs::PointCloud2 cloud = testCloud(kWidth, kHeight);
+  setPlane(cloud, kCamera, kNormal, 1.4);
+  GetParam().spoil(cloud);
+
+  std::vector<std::uint8_t> depth;
+  const Validation found = validate(cloud, InputLimits{}, depth);
+
+  EXPECT_STREQ(nameOf(GetParam().expected), nameOf(found.refusal));
+  EXPECT_EQ(found.accepted(), explain(found.refusal, cloud).empty());
+  EXPECT_EQ(!found.accepted(), found.view.empty());
+}
+
+INSTANTIATE_TEST_SUITE_P(Faults, CloudTable, testing::ValuesIn(cloudCases()));
+
+TEST_F(CloudValidation, refusesByTheGivenLimit) {
+  limits_.max_pixels = kWidth * kHeight;
+  EXPECT_TRUE(validate().accepted());
+  limits_.max_pixels = kWidth * kHeight - 1;
+  const Validation found = validate();
+  EXPECT_EQ(Refusal::kTooLarge, found.refusal) << nameOf(found.refusal);
+  EXPECT_TRUE(found.view.empty());
+  EXPECT_FALSE(explain(found.refusal, cloud_).empty());
+}
+
+TEST_F(CloudValidation, saysWhatIsWrongWithAnUnorganizedCloud) {
   EXPECT_NE(std::string::npos, explain(Refusal::kUnorganized, cloud_).find("unorganized"));
 }
 

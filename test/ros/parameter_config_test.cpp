@@ -177,13 +177,15 @@ TEST(Reconfiguring, tellsWhatItPutInOrder) {
 }
 
 TEST(Reconfiguring, cutsSlashesOffFrames) {
-  PlaneSegmenterConfig config = PlaneSegmenterConfig::__getDefault__();
-  config.target_frame = "/base_link";
-  std::vector<std::string> changes;
-  EXPECT_EQ("base_link", reconfigured({}, config, changes).location.frames.target_frame);
-  EXPECT_EQ("base_link", config.target_frame);
-  ASSERT_EQ(1U, changes.size());
-  EXPECT_NE(std::string::npos, changes.front().find("target_frame"));
+  for (const char* frame : {"/base_link", "//base_link"}) {
+    PlaneSegmenterConfig config = PlaneSegmenterConfig::__getDefault__();
+    config.target_frame = frame;
+    std::vector<std::string> changes;
+    EXPECT_EQ("base_link", reconfigured({}, config, changes).location.frames.target_frame);
+    EXPECT_EQ("base_link", config.target_frame);
+    ASSERT_EQ(1U, changes.size());
+    EXPECT_NE(std::string::npos, changes.front().find("target_frame"));
+  }
 }
 
 class Presets : public testing::Test {

@@ -59,7 +59,7 @@ inline void setPlane(sensor_msgs::PointCloud2& cloud, const CameraIntrinsics& ca
                      const Eigen::Vector3d& normal, double d) {
   for (std::uint32_t v = 0; v < cloud.height; ++v) {
     for (std::uint32_t u = 0; u < cloud.width; ++u) {
-      const Eigen::Vector3d ray((u - camera.cx) / camera.fx, (v - camera.cy) / camera.fy, 1.0);
+      const Eigen::Vector3d ray = rayOf(camera, u, v);
       setPoint(cloud, u, v, -d / normal.dot(ray) * ray);
     }
   }

@@ -24,6 +24,11 @@ inline CameraIntrinsics testCamera(std::uint32_t width, std::uint32_t height) {
   return {f, f, (width - 1) / 2.0, (height - 1) / 2.0};
 }
 
+/// What the pixel sees, at depth 1.
+inline Eigen::Vector3d rayOf(const CameraIntrinsics& camera, double u, double v) {
+  return {(u - camera.cx) / camera.fx, (v - camera.cy) / camera.fy, 1.0};
+}
+
 inline sensor_msgs::CameraInfo testInfo(std::uint32_t width, std::uint32_t height) {
   const CameraIntrinsics camera = testCamera(width, height);
   sensor_msgs::CameraInfo info;
@@ -73,8 +78,7 @@ inline sensor_msgs::Image imageOfPlane(std::uint32_t width, std::uint32_t height
   const CameraIntrinsics camera = testCamera(width, height);
   for (std::uint32_t v = 0; v < height; ++v) {
     for (std::uint32_t u = 0; u < width; ++u) {
-      const Eigen::Vector3d ray((u - camera.cx) / camera.fx, (v - camera.cy) / camera.fy, 1.0);
-      setDepth(image, u, v, -d / normal.dot(ray));
+      setDepth(image, u, v, -d / normal.dot(rayOf(camera, u, v)));
     }
   }
   return image;

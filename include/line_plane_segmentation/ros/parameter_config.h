@@ -44,7 +44,7 @@ NodeletParameters parametersFrom(const PlaneSegmenterConfig& config);
 void writeParameters(const NodeletParameters& parameters, PlaneSegmenterConfig& config);
 
 /// What a reconfigure request makes of the current parameters. A NaN and an unknown preset are refused and
-/// leave what is there, frames lose a leading slash, everything else is put in order by sanitize(). A new
+/// leave what is there, frames lose leading slashes, everything else is put in order by sanitize(). A new
 /// preset sets all of the method; what the same request changes beside it is changed after that. `config` is
 /// made to tell the outcome.
 /// @param changes  gets one line for each value that was refused or changed
