@@ -86,11 +86,28 @@ def read_skipped(path):
     return {name: reason for name, reason in lines}
 
 
-def run_ctest(build, selection):
-    """Runs the tests; returns their ctest descriptions and the set of names of those that failed."""
+def list_tests(build, selection):
+    """The ctest descriptions of the tests that such options select."""
     listing = subprocess.run(["ctest", "--show-only=json-v1"] + selection, cwd=build, check=True,
                              stdout=subprocess.PIPE)
-    tests = json.loads(listing.stdout)["tests"]
+    return json.loads(listing.stdout)["tests"]
+
+
+def skipped_cases(build, only, without, reasons):
+    """One case for each test that is selected but left out; a reason that no test has is an error."""
+    everything = [test["name"] for test in list_tests(build, [])]
+    for pattern in reasons:
+        if not any(re.search(pattern, name) for name in everything):
+            sys.exit("no test is left out by '%s', as there is none of such a name" % pattern)
+    run = {test["name"] for test in list_tests(build, only + without)}
+    left_out = [test["name"] for test in list_tests(build, only) if test["name"] not in run]
+    return [Case(name, "skipped", next(reason for pattern, reason in reasons.items() if re.search(pattern, name)))
+            for name in left_out]
+
+
+def run_ctest(build, selection):
+    """Runs the tests; returns their ctest descriptions and the set of names of those that failed."""
+    tests = list_tests(build, selection)
     for path in filter(None, map(result_file, tests)):
         path.unlink(missing_ok=True)
 
@@ -111,12 +128,12 @@ def main():
     parser.add_argument("--skip", metavar="FILE", type=pathlib.Path, help="tests that are left out, each with the reason")
     arguments = parser.parse_args()
 
-    skipped = read_skipped(arguments.skip) if arguments.skip else {}
-    selection = ["-R", arguments.only] if arguments.only else []
-    selection += ["-E", "|".join(skipped)] if skipped else []
-    tests, failed_tests = run_ctest(arguments.build, selection)
+    reasons = read_skipped(arguments.skip) if arguments.skip else {}
+    only = ["-R", arguments.only] if arguments.only else []
+    without = ["-E", "|".join(reasons)] if reasons else []
+    cases = skipped_cases(arguments.build, only, without, reasons)
+    tests, failed_tests = run_ctest(arguments.build, only + without)
     seen = set()
-    cases = [Case(name, "skipped", reason) for name, reason in skipped.items()]
     cases += [case for test in tests for case in cases_of(test, failed_tests, seen)]
 
     for outcome in ("skipped", "failed"):
