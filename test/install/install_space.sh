@@ -27,6 +27,7 @@ for tool in segment_depth segment_bag evaluate_segmentation benchmark_segmentati
   echo "$tool"
   rosrun line_plane_segmentation "$tool" --help >/dev/null
 done
+# Reading openni2.launch ends with an error where the camera's driver is not installed.
 for launch_file in "$1"/launch/*.launch; do
   name=$(basename "$launch_file")
   echo "$name"
