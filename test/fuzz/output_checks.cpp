@@ -108,6 +108,7 @@ void expectExplained(const Validation& input, const std::string& explanation) {
 }
 
 void expectSoundMessages(const FrameSegmenter& segmenter, const PublishedPlanes& published) {
+  EXPECT_NE(0U, segmenter.header().frame_id.find('/')) << "tf2 refuses a leading slash";
   const SegmentedFrame frame = segmenter.result(published);
   const sensor_msgs::Image::Ptr labels = labelsImage(frame);
   expectSound(*planesMessage(frame), *labels, segmenter.segmentation().planes.size());

@@ -174,6 +174,8 @@ inline const std::vector<ValidationCase>& validationCases() {
       {"row 25: no frame_id", Refusal::kNone, [](Image& i, CameraInfo&) { i.header.frame_id.clear(); }},
       {"row 25: frame_id with a slash", Refusal::kNone,
        [](Image& i, CameraInfo&) { i.header.frame_id = "/camera"; }},
+      {"row 25: frame_id with two slashes", Refusal::kNone,
+       [](Image& i, CameraInfo&) { i.header.frame_id = "//camera"; }},
   };
   return kCases;
 }
