@@ -3,17 +3,16 @@
 // all at once. Whenever that ends, the segmenter is in the state that those who are left want.
 #include <gtest/gtest.h>
 #include <line_plane_segmentation/PlaneArray.h>
-#include <topic_tools/shape_shifter.h>
 
 #include <deque>
 #include <string>
+#include <vector>
 
+#include "any_output.h"
 #include "test_camera.h"
 
 namespace line_plane_segmentation {
 namespace {
-
-using Anything = Inbox<topic_tools::ShapeShifter>;
 
 class ConnectStorm : public testing::Test {
  protected:
@@ -23,21 +22,17 @@ class ConnectStorm : public testing::Test {
 
   void publishNext() { camera_.publish(image_, info_, ros::Time(seconds_ += 0.1)); }
 
-  // Ten subscribers of this output come and go within 100 ms, most of them before their connection stands.
-  // One stays about as long as that takes with all that follows from it, which is some 0.4 s here.
-  void storm(const std::string& output, double stay) {
+  // Ten subscribers of each of these outputs come and go within 100 ms, most of them before their connection
+  // stands. One stays about as long as that takes with all that follows from it, which is some 0.4 s here.
+  void storm(const std::vector<std::string>& outputs, double stay) {
     std::deque<Anything> subscribers;
     for (int i = 0; i < 10; ++i) {
-      subscribers.emplace_back("plane_segmenter/" + output);
-      if (subscribers.size() > 3) subscribers.pop_front();
+      for (const std::string& output : outputs) subscribers.emplace_back("plane_segmenter/" + output);
+      while (subscribers.size() > 3 * outputs.size()) subscribers.pop_front();
       publishNext();
       spinFor(0.01);
     }
     spinFor(stay);
-  }
-
-  bool waitForIdle() {
-    return waitUntil([this] { return camera_.imageSubscribers() == 0 && camera_.infoSubscribers() == 0; });
   }
 
   TestCamera camera_;
@@ -50,11 +45,12 @@ TEST_F(ConnectStorm, endsInTheStateThatIsWanted) {
   double stay = 0.25;  // [s]
   for (int round = 0; round < 2; ++round) {
     const int arrivals = camera_.arrivals();
-    for (const char* output : {"planes", "labels", "cloud", "overlay", "markers", "scanlines"}) {
-      storm(output, stay);
+    for (const std::string& output : outputs()) {
+      storm({output}, stay);
       stay += 0.02;
     }
-    EXPECT_TRUE(waitForIdle());
+    storm(outputs(), stay);
+    EXPECT_TRUE(camera_.waitForIdle());
     EXPECT_GT(camera_.arrivals(), arrivals) << "not one of them was noticed";
 
     const Inbox<PlaneArray> planes("plane_segmenter/planes");

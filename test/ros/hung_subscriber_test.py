@@ -5,9 +5,7 @@ import io
 import socket
 import time
 import unittest
-import xmlrpc.client
 
-import rosgraph
 import rosgraph.network
 import rospy
 import rostest
@@ -15,18 +13,16 @@ import roslib.message
 from sensor_msgs.msg import CameraInfo
 
 from line_plane_segmentation.msg import PlaneArray
-from node_process import kilobytes, process_that_publishes
+from node_process import kilobytes, process_that_publishes, publisher_of
 
-OUTPUTS = ("planes", "labels", "cloud", "overlay", "markers")
+OUTPUTS = ("planes", "labels", "cloud", "overlay", "markers", "scanlines")
 SECONDS = 5
 
 
 def connect(topic):
     """A subscriber as far as its publisher can tell: connected by TCPROS, and then silent."""
-    master = rosgraph.Master(rospy.get_name())
-    publisher = xmlrpc.client.ServerProxy(master.lookupNode(dict(master.getSystemState()[0])[topic][0]))
-    _, _, (_, host, port) = publisher.requestTopic(rospy.get_name(), topic, [["TCPROS"]])
-    type_name = dict(master.getTopicTypes())[topic]
+    _, _, (_, host, port) = publisher_of(topic).requestTopic(rospy.get_name(), topic, [["TCPROS"]])
+    type_name = dict(rospy.get_published_topics())[topic]
     connection = socket.create_connection((host, port))
     header = {"topic": topic, "callerid": "/hung_subscriber", "type": type_name,
               "md5sum": roslib.message.get_message_class(type_name)._md5sum}

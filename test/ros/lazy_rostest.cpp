@@ -1,33 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // No camera subscription without a subscriber of any output.
 #include <gtest/gtest.h>
-#include <line_plane_segmentation/PlaneArray.h>
-#include <sensor_msgs/PointCloud2.h>
-#include <topic_tools/shape_shifter.h>
-#include <visualization_msgs/MarkerArray.h>
 
 #include <string>
-#include <vector>
 
+#include "any_output.h"
 #include "test_camera.h"
 
 namespace line_plane_segmentation {
 namespace {
 
-using Anything = Inbox<topic_tools::ShapeShifter>;
-
-const std::vector<std::string>& outputs() {
-  static const std::vector<std::string> kOutputs = {"planes",  "labels",  "cloud",
-                                                    "overlay", "markers", "scanlines"};
-  return kOutputs;
-}
-
 class Lazy : public testing::Test {
  protected:
-  bool waitForIdle() {
-    return waitUntil([this] { return camera_.imageSubscribers() == 0 && camera_.infoSubscribers() == 0; });
-  }
-
   TestCamera camera_;
 };
 
@@ -44,7 +28,7 @@ TEST_F(Lazy, subscribesForEachOutputAlone) {
       Anything inbox("plane_segmenter/" + output);
       EXPECT_TRUE(camera_.waitForSubscriber()) << output;
     }
-    EXPECT_TRUE(waitForIdle()) << output;
+    EXPECT_TRUE(camera_.waitForIdle()) << output;
   }
 }
 
@@ -60,7 +44,7 @@ TEST_F(Lazy, subscribesOnceForAllOutputsAndUntilTheLastLeaves) {
     EXPECT_EQ(1U, camera_.imageSubscribers());
     EXPECT_EQ(1U, camera_.infoSubscribers());
   }
-  EXPECT_TRUE(waitForIdle());
+  EXPECT_TRUE(camera_.waitForIdle());
 }
 
 TEST_F(Lazy, comesToRestAfterMuchComingAndGoing) {
@@ -68,7 +52,7 @@ TEST_F(Lazy, comesToRestAfterMuchComingAndGoing) {
     Anything planes("plane_segmenter/planes");
     spinFor(0.005 * (round % 4));
   }
-  EXPECT_TRUE(waitForIdle());
+  EXPECT_TRUE(camera_.waitForIdle());
   Anything planes("plane_segmenter/planes");
   EXPECT_TRUE(camera_.waitForSubscriber());
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// More and more VGA cameras in one manager, each with its own segmenter, at 30 Hz: what is not answered is
-// dropped, and every drop is counted in the diagnostics; the newest frame goes first. The numbers of cameras
-// are ~cameras, each for ~seconds. Of times it only tells.
+// More and more VGA cameras in one manager, each with its own segmenter, at 30 Hz: every frame is answered,
+// and none after a newer one. scripts/load measures with queues that are no longer than in use, where frames
+// may be dropped. The numbers of cameras are ~cameras, each for ~seconds. Of times it only tells.
 #include <gtest/gtest.h>
 #include <line_plane_segmentation/PlaneArray.h>
 #include <ros/callback_queue.h>
@@ -23,8 +23,6 @@ namespace {
 
 constexpr double kRate = 30.0;  // [Hz]
 constexpr int kLongQueue = 100;
-
-double now() { return ros::SteadyTime::now().toSec(); }
 
 /// A camera in a room of its own, its segmenter, and who wants its planes.
 class Side {
@@ -71,10 +69,7 @@ class Side {
   const std::vector<double>& delays() const { return delays_; }
 
  private:
-  int droppedSinceTheStart() const {
-    const std::string value = diagnostics_.value("frames dropped");
-    return value.empty() ? 0 : std::stoi(value);
-  }
+  int droppedSinceTheStart() const { return static_cast<int>(diagnostics_.number("frames dropped")); }
 
   void take(const PlaneArray& planes) {
     EXPECT_GT(planes.header.stamp, newest_) << name_ << " answers an older frame after a newer one";
@@ -145,7 +140,9 @@ class Load : public testing::Test {
     }
     const int lost = sent - answered - dropped;
     EXPECT_GE(lost, 0);
-    EXPECT_LE(lost, queue_size_ < kLongQueue ? sent : 0);
+    if (queue_size_ == kLongQueue) {
+      EXPECT_EQ(sent, answered);
+    }
     std::sort(delays.begin(), delays.end());
     ASSERT_FALSE(delays.empty());
     double machine_load = 0.0;
@@ -162,14 +159,13 @@ class Load : public testing::Test {
   std::vector<std::unique_ptr<Side>> sides_;
 };
 
-TEST_F(Load, everyFrameIsAnsweredOrCountedAsDropped) {
+TEST_F(Load, everyFrameIsAnswered) {
   std::vector<int> counts = {2};
   ros::param::get("~cameras", counts);
   const double seconds = ros::param::param("~seconds", 3.0);
   std::printf(
-      "| cameras | sent | answered | dropped | lost in ROS's queues | median delay/ms | worst/ms | manager's "
-      "processor time | load "
-      "|\n"
+      "| cameras | sent | answered | dropped, counted | lost in sockets | median delay [ms] | worst [ms] | "
+      "processor time | load average |\n"
       "|--:|--:|--:|--:|--:|--:|--:|--:|--:|\n");
   for (const int count : counts) {
     ASSERT_NO_FATAL_FAILURE(addCameras(count));

@@ -6,11 +6,16 @@ import xmlrpc.client
 import rosgraph
 
 
-def process_that_publishes(topic):
-    """Its process id."""
+def publisher_of(topic):
+    """The server by which ROS speaks to its node."""
     master = rosgraph.Master("/test")
     nodes = dict(master.getSystemState()[0])[topic]
-    return xmlrpc.client.ServerProxy(master.lookupNode(nodes[0])).getPid("/test")[2]
+    return xmlrpc.client.ServerProxy(master.lookupNode(nodes[0]))
+
+
+def process_that_publishes(topic):
+    """Its process id."""
+    return publisher_of(topic).getPid("/test")[2]
 
 
 def kilobytes(process, name):

@@ -100,6 +100,7 @@ TEST(ReconfigureStorm, leavesEachFrameOneSetOfParametersAndWaitsForNone) {
   const sensor_msgs::Image image = twoWalls();
   const sensor_msgs::CameraInfo info = testInfo(kWidth, kHeight);
 
+  const double start = now();
   Storm storm;
   spinFor(0.5);
   for (int frame = 0; frame < kFrames; ++frame) {
@@ -108,8 +109,10 @@ TEST(ReconfigureStorm, leavesEachFrameOneSetOfParametersAndWaitsForNone) {
   }
   EXPECT_TRUE(waitUntil([&] { return valid_pixels.size() == kFrames; })) << valid_pixels.size();
   const int requests = storm.stop();
-  RecordProperty("requests", requests);
-  EXPECT_GT(requests, kFrames);
+  const double rate = requests / (now() - start);
+  RecordProperty("requests_a_second", static_cast<int>(rate));
+  // It asks for 200, of which a busy machine need not grant all.
+  EXPECT_GT(rate, 50.0);
   EXPECT_EQ((std::set<std::uint32_t>{kPixelsOfNearWall, kPixelsOfFarWall}),
             std::set<std::uint32_t>(valid_pixels.begin(), valid_pixels.end()));
 }

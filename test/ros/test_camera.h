@@ -13,6 +13,9 @@
 
 namespace line_plane_segmentation {
 
+/// A time for stamps and delays [s], of a clock that all processes of this machine share.
+inline double now() { return ros::SteadyTime::now().toSec(); }
+
 /// Lets callbacks run until `condition()` holds.
 /// @return whether it came to hold before the time [s] was up
 template <typename Condition>
@@ -68,6 +71,11 @@ class TestCamera {
 
   bool waitForSubscriber() const {
     return waitUntil([this] { return imageSubscribers() == 1 && infoSubscribers() == 1; });
+  }
+
+  /// Waits until nobody listens.
+  bool waitForIdle() const {
+    return waitUntil([this] { return imageSubscribers() == 0 && infoSubscribers() == 0; });
   }
 
  private:

@@ -37,6 +37,12 @@ class Diagnostics {
     return found == newest_.values.end() ? std::string() : found->value;
   }
 
+  /// A number of the newest report; -1 if it has none.
+  double number(const std::string& key) const {
+    const std::string text = value(key);
+    return text.empty() ? -1.0 : std::stod(text);
+  }
+
   /// Waits for a report of this level that says so.
   bool waitForStatus(int level, const std::string& text, double seconds = 15.0) const {
     return waitUntil(

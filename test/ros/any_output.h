@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <topic_tools/shape_shifter.h>
+
+#include <string>
+#include <vector>
+
+#include "test_camera.h"
+
+namespace line_plane_segmentation {
+
+/// A subscriber of a topic of whatever type.
+using Anything = Inbox<topic_tools::ShapeShifter>;
+
+/// The names of all that a segmenter publishes.
+inline const std::vector<std::string>& outputs() {
+  static const std::vector<std::string> kOutputs = {"planes",  "labels",  "cloud",
+                                                    "overlay", "markers", "scanlines"};
+  return kOutputs;
+}
+
+}  // namespace line_plane_segmentation
