@@ -106,7 +106,7 @@ class BagSegmentation {
     PlaneLocator& locator = locatorOf(topic);
     CameraPlaces places;
     if (!input.accepted()) {
-      refuse(topic, explain(input.refusal, *slot.frame.messages.image, *slot.frame.messages.info));
+      refuse(topic, segmenter.explanation(slot.frame.messages));
     } else if (places = findPlaces(slot.frame, locator, segmenter.header()); !places.target.found()) {
       refuse(topic, "planes cannot be given in target_frame: " + places.target.problem);
     } else {

@@ -92,9 +92,8 @@ std::string markdown(const std::vector<BenchmarkFrame>& frames, const std::vecto
   text << describeProcessor()
        << "- Milliseconds that passed, and ratios to the segmenter's own time in the same round; medians of "
        << samples.front().segmenter.size() << " rounds\n"
-       << "- From the image's publishing in this process until its subscriber has the `PlaneArray`, nobody "
-          "else "
-          "listening; and until subscribers to all six topics have everything\n\n"
+       << "- From the image's publishing in this process until its subscriber has the `PlaneArray`, "
+          "nobody else listening; and until subscribers to all six topics have everything\n\n"
        << table.markdown() << "\nThe largest ratios: " << threeDigits(worst) << " to the `PlaneArray`, "
        << threeDigits(worst_all) << " with all topics.\n";
   return text.str();

@@ -4,6 +4,7 @@
 #include <sensor_msgs/CameraInfo.h>
 #include <sensor_msgs/Image.h>
 #include <sensor_msgs/PointCloud2.h>
+#include <sensor_msgs/image_encodings.h>
 #include <visualization_msgs/MarkerArray.h>
 
 #include <boost/make_shared.hpp>
@@ -11,6 +12,9 @@
 #include <cmath>
 #include <cstring>
 #include <stdexcept>
+
+#include "camera_info_message.h"
+#include "image_message.h"
 
 namespace line_plane_segmentation {
 namespace {
@@ -29,13 +33,8 @@ std_msgs::Header headerOf(std::uint32_t number) {
 
 // In millimetres, as ROS has 16-bit depths.
 sensor_msgs::ImagePtr imageOf(const BenchmarkFrame& frame, const std_msgs::Header& header) {
-  auto image = boost::make_shared<sensor_msgs::Image>();
-  image->header = header;
-  image->encoding = "16UC1";
-  image->width = static_cast<std::uint32_t>(frame.width);
-  image->height = static_cast<std::uint32_t>(frame.height);
-  image->step = static_cast<std::uint32_t>(image->width * sizeof(std::uint16_t));
-  image->data.resize(std::size_t{image->step} * image->height);
+  const sensor_msgs::ImagePtr image = makeImage(header, sensor_msgs::image_encodings::TYPE_16UC1, frame.width,
+                                                frame.height, sizeof(std::uint16_t));
   std::uint8_t* pixel = image->data.data();
   for (const std::uint16_t depth : frame.depth) {
     const auto millimetres = static_cast<std::uint16_t>(std::lround(1000.0F * frame.metres_per_unit * depth));
@@ -45,15 +44,14 @@ sensor_msgs::ImagePtr imageOf(const BenchmarkFrame& frame, const std_msgs::Heade
   return image;
 }
 
-sensor_msgs::CameraInfoPtr infoOf(const BenchmarkFrame& frame, const std_msgs::Header& header) {
-  const CameraIntrinsics& camera = frame.camera;
-  auto info = boost::make_shared<sensor_msgs::CameraInfo>();
-  info->header = header;
-  info->width = static_cast<std::uint32_t>(frame.width);
-  info->height = static_cast<std::uint32_t>(frame.height);
-  info->K = {camera.fx, 0.0, camera.cx, 0.0, camera.fy, camera.cy, 0.0, 0.0, 1.0};
-  info->P = {camera.fx, 0.0, camera.cx, 0.0, 0.0, camera.fy, camera.cy, 0.0, 0.0, 0.0, 1.0, 0.0};
-  return info;
+template <typename Message>
+const ros::Time& stampOf(const Message& message) {
+  return message.header.stamp;
+}
+
+// The first marker, which takes those of the frame before away, has it.
+const ros::Time& stampOf(const visualization_msgs::MarkerArray& markers) {
+  return markers.markers.at(0).header.stamp;
 }
 
 }  // namespace
@@ -82,11 +80,12 @@ MessagePath::MessagePath(nodelet::Loader& loader, const std::string& name_space,
   }
 }
 
-// Markers have no stamp of their own: with one frame at a time, each output comes once for it.
+// An answer that is so late that the next frame has been sent is none to that one.
 template <typename Message>
 void MessagePath::subscribe(const std::string& topic) {
   subscribers_.push_back(
       nh_.subscribe<Message>(topic, 1, [this](const boost::shared_ptr<const Message>& message) {
+        if (stampOf(*message) != ros::Time(number_, 0)) return;
         ++answers_;
         take(*message);
       }));
@@ -101,7 +100,8 @@ bool MessagePath::publishAndWait(const BenchmarkFrame& frame, double seconds) {
   const std_msgs::Header header = headerOf(++number_);
   const sensor_msgs::ImagePtr image = imageOf(frame, header);
   answers_ = 0;
-  infos_.publish(infoOf(frame, header));
+  infos_.publish(boost::make_shared<sensor_msgs::CameraInfo>(
+      makeCameraInfo(header, frame.camera, frame.width, frame.height)));
   const Clock::time_point start = Clock::now();
   images_.publish(image);
   while (answers_ < subscribers_.size()) {
@@ -114,7 +114,8 @@ bool MessagePath::publishAndWait(const BenchmarkFrame& frame, double seconds) {
 
 void MessagePath::connect(const BenchmarkFrame& frame) {
   const Clock::time_point start = Clock::now();
-  while (!publishAndWait(frame, 0.3)) {
+  // Longer and longer, so that a slow machine's answer is in time, too.
+  for (double seconds = 0.3; !publishAndWait(frame, seconds); seconds *= 2.0) {
     if (Clock::now() - start > std::chrono::duration<double>(kPatience)) {
       throw std::runtime_error("the segmenter does not answer");
     }

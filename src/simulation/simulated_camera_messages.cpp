@@ -1,26 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "simulated_camera_messages.h"
 
-#include <sensor_msgs/distortion_models.h>
 #include <sensor_msgs/image_encodings.h>
 
-#include <boost/predef/other/endian.h>
 #include <algorithm>
-#include <boost/make_shared.hpp>
-#include <cstddef>
+
+#include "image_message.h"
 
 namespace line_plane_segmentation {
 
 sensor_msgs::ImagePtr imageMessage(const std_msgs::Header& header, int width, int height) {
-  const auto image = boost::make_shared<sensor_msgs::Image>();
-  image->header = header;
-  image->width = static_cast<std::uint32_t>(width);
-  image->height = static_cast<std::uint32_t>(height);
-  image->encoding = sensor_msgs::image_encodings::TYPE_16UC1;
-  image->is_bigendian = BOOST_ENDIAN_BIG_BYTE ? 1 : 0;
-  image->step = image->width * static_cast<std::uint32_t>(sizeof(std::uint16_t));
-  image->data.resize(static_cast<std::size_t>(image->step) * image->height);
-  return image;
+  return makeImage(header, sensor_msgs::image_encodings::TYPE_16UC1, width, height, sizeof(std::uint16_t));
 }
 
 // What a vector allocates is aligned for every type.
@@ -32,20 +22,6 @@ sensor_msgs::ImagePtr labelsMessage(const std_msgs::Header& header, const simula
   const auto image = imageMessage(header, picture.width, picture.height);
   std::copy(picture.labels.begin(), picture.labels.end(), pixelsOf(*image));
   return image;
-}
-
-sensor_msgs::CameraInfo infoMessage(const std_msgs::Header& header, const CameraIntrinsics& k,
-                                    const sensor_msgs::Image& image) {
-  sensor_msgs::CameraInfo info;
-  info.header = header;
-  info.width = image.width;
-  info.height = image.height;
-  info.distortion_model = sensor_msgs::distortion_models::PLUMB_BOB;
-  info.D.assign(5, 0.0);
-  info.K = {k.fx, 0.0, k.cx, 0.0, k.fy, k.cy, 0.0, 0.0, 1.0};
-  info.R = {1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0};
-  info.P = {k.fx, 0.0, k.cx, 0.0, 0.0, k.fy, k.cy, 0.0, 0.0, 0.0, 1.0, 0.0};
-  return info;
 }
 
 geometry_msgs::TransformStamped transformMessage(const Eigen::Isometry3d& pose,

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <geometry_msgs/TransformStamped.h>
-#include <sensor_msgs/CameraInfo.h>
 #include <sensor_msgs/Image.h>
 #include <std_msgs/Header.h>
 
@@ -10,7 +9,6 @@
 #include <cstdint>
 #include <string>
 
-#include "line_plane_segmentation/camera_intrinsics.h"
 #include "line_plane_segmentation/simulation/renderer.h"
 
 namespace line_plane_segmentation {
@@ -23,10 +21,6 @@ std::uint16_t* pixelsOf(sensor_msgs::Image& image);
 
 /// The labels of a picture, 16UC1.
 sensor_msgs::ImagePtr labelsMessage(const std_msgs::Header& header, const simulation::Rendering& picture);
-
-/// The calibration of a camera without distortion, as large as `image`.
-sensor_msgs::CameraInfo infoMessage(const std_msgs::Header& header, const CameraIntrinsics& intrinsics,
-                                    const sensor_msgs::Image& image);
 
 /// @param header  stamp, and the frame that has this pose in `parent_frame`
 geometry_msgs::TransformStamped transformMessage(const Eigen::Isometry3d& pose,

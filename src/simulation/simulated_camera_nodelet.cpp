@@ -14,6 +14,7 @@
 #include <memory>
 #include <string>
 
+#include "camera_info_message.h"
 #include "line_plane_segmentation/simulation/simulated_camera.h"
 #include "simulated_camera_messages.h"
 #include "simulated_camera_parameters.h"
@@ -75,8 +76,9 @@ class SimulatedCameraNodelet : public nodelet::Nodelet {
     const auto image = imageMessage(header, parameters_.camera.width, parameters_.camera.height);
     const simulation::Rendering& truth = camera_->capture(frame_, seconds, pixelsOf(*image));
     if (depth_wanted) {
-      depth_publisher_.publish(image, boost::make_shared<sensor_msgs::CameraInfo>(
-                                          infoMessage(header, camera_->intrinsics(), *image)));
+      depth_publisher_.publish(
+          image, boost::make_shared<sensor_msgs::CameraInfo>(makeCameraInfo(
+                     header, camera_->intrinsics(), parameters_.camera.width, parameters_.camera.height)));
     }
     if (labels_wanted) labels_publisher_.publish(labelsMessage(header, truth));
   }

@@ -23,7 +23,7 @@ set -eo pipefail
 source "$2/setup.bash"
 case $(rospack find line_plane_segmentation) in "$2"/*) ;; *) echo "found elsewhere"; exit 1 ;; esac
 
-for tool in segment_depth segment_bag evaluate_segmentation benchmark_segmentation; do
+for tool in segment_depth segment_bag evaluate_segmentation benchmark_segmentation benchmark_messages; do
   echo "$tool"
   rosrun line_plane_segmentation "$tool" --help >/dev/null
 done
