@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Point clouds in the place of depth images.
-#include <diagnostic_msgs/DiagnosticArray.h>
 #include <gtest/gtest.h>
 #include <line_plane_segmentation/PlaneArray.h>
 #include <sensor_msgs/PointCloud2.h>
@@ -10,6 +9,7 @@
 
 #include "test_camera.h"
 #include "test_clouds.h"
+#include "test_reports.h"
 
 namespace line_plane_segmentation {
 namespace {
@@ -32,20 +32,15 @@ class Cloud : public testing::Test {
     publisher_.publish(cloud);
   }
 
-  bool diagnosticsSay(const std::string& text) {
-    const Inbox<diagnostic_msgs::DiagnosticArray> reports("/diagnostics");
-    return waitUntil([&] {
-      if (!reports.newest()) return false;
-      for (const auto& status : reports.newest()->status) {
-        if (status.name == "plane_segmenter: plane segmentation") return status.message.find(text) == 0;
-      }
-      return false;
-    });
+  // The newest report's message begins so.
+  bool diagnosticsSay(const std::string& text) const {
+    return waitUntil([&] { return diagnostics_.newest().message.find(text) == 0; });
   }
 
   ros::NodeHandle nh_;
   ros::Publisher publisher_ = nh_.advertise<sensor_msgs::PointCloud2>("depth/points", 10);
   sensor_msgs::PointCloud2 good_ = testCloud(kWidth, kHeight);
+  Diagnostics diagnostics_;
 };
 
 TEST_F(Cloud, isReadOnlyWhileItIsWanted) {

@@ -1,48 +1,37 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What /diagnostics says to a user who wonders why nothing comes, and when all is well.
-#include <diagnostic_msgs/DiagnosticArray.h>
 #include <gtest/gtest.h>
 #include <line_plane_segmentation/PlaneArray.h>
 
-#include <cstdlib>
 #include <string>
 
 #include "test_camera.h"
+#include "test_reports.h"
 
 namespace line_plane_segmentation {
 namespace {
 
 using diagnostic_msgs::DiagnosticStatus;
 
-class Diagnostics : public testing::Test {
+class Reports : public testing::Test {
  protected:
-  // The segmenter's part of the newest report that has it.
-  const DiagnosticStatus& status() {
-    if (!reports_.newest()) return status_;
-    for (const DiagnosticStatus& status : reports_.newest()->status) {
-      if (status.name == "plane_segmenter: plane segmentation") status_ = status;
-    }
-    return status_;
-  }
+  const DiagnosticStatus& status() const { return diagnostics_.newest(); }
 
-  bool says(const std::string& message) {
+  bool says(const std::string& message) const {
     return waitUntil([&] { return status().message == message; });
   }
 
-  double number(const std::string& key) {
-    for (const auto& value : status().values) {
-      if (value.key == key) return std::strtod(value.value.c_str(), nullptr);
-    }
-    ADD_FAILURE() << "no " << key;
-    return -1.0;
+  double number(const std::string& key) const {
+    const double number = diagnostics_.number(key);
+    EXPECT_GE(number, 0.0) << "no " << key;
+    return number;
   }
 
   TestCamera camera_;
-  Inbox<diagnostic_msgs::DiagnosticArray> reports_{"/diagnostics"};
-  DiagnosticStatus status_;
+  Diagnostics diagnostics_;
 };
 
-TEST_F(Diagnostics, speakPlainly) {
+TEST_F(Reports, speakPlainly) {
   EXPECT_TRUE(says("nobody subscribes to my outputs: idle")) << status().message;
   EXPECT_EQ(DiagnosticStatus::OK, status().level);
 

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Planes in another frame, against gravity, and what happens where tf does not tell: faults rows 21, 24, 26.
-#include <diagnostic_msgs/DiagnosticArray.h>
 #include <gtest/gtest.h>
 #include <line_plane_segmentation/PlaneArray.h>
 #include <sensor_msgs/PointCloud2.h>
@@ -14,6 +13,7 @@
 
 #include "reconfigure.h"
 #include "test_camera.h"
+#include "test_reports.h"
 
 namespace line_plane_segmentation {
 namespace {
@@ -79,22 +79,11 @@ class Frames : public testing::Test {
   }
 
   /// As the newest report says.
-  int refusedForTf() const {
-    if (!diagnostics_.newest()) return -1;
-    for (const auto& status : diagnostics_.newest()->status) {
-      for (const auto& value : status.values) {
-        if (status.name == "plane_segmenter: plane segmentation" && value.key == "frames refused: tf")
-          return std::stoi(value.value);
-      }
-    }
-    return -1;
-  }
+  int refusedForTf() const { return static_cast<int>(diagnostics_.number("frames refused: tf")); }
 
   /// As the next report says, while nothing is going on.
   int refusedUntilNow() const {
-    spinFor(0.1);
-    const int reports = diagnostics_.count();
-    EXPECT_TRUE(waitUntil([&] { return diagnostics_.count() > reports; }));
+    EXPECT_TRUE(diagnostics_.waitForReport());
     return refusedForTf();
   }
 
@@ -102,7 +91,7 @@ class Frames : public testing::Test {
   tf2_ros::TransformBroadcaster broadcaster_;
   tf2_ros::StaticTransformBroadcaster static_broadcaster_;
   Inbox<PlaneArray> planes_{"plane_segmenter/planes"};
-  Inbox<diagnostic_msgs::DiagnosticArray> diagnostics_{"/diagnostics"};
+  Diagnostics diagnostics_;
   sensor_msgs::Image image_ = imageOfPlane(kWidth, kHeight, "16UC1", kFloorNormal, kHeightAboveFloor);
   sensor_msgs::CameraInfo info_ = testInfo(kWidth, kHeight);
 };
