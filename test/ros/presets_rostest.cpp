@@ -44,10 +44,8 @@ TEST_F(Presets, areLoadedWhileItRuns) {
     Parameters preset;
     ASSERT_TRUE(loadPreset(name, preset));
     dynamic_reconfigure::Reconfigure call;
-    call.request.config.strs.resize(1);
-    call.request.config.strs[0].name = "preset";
-    call.request.config.strs[0].value = name;
-    ASSERT_TRUE(ros::service::call("plane_segmenter/set_parameters", call));
+    setString(call, "preset", name);
+    reconfigure(call);
     ASSERT_TRUE(waitUntil([&] { return config_.preset == name; }));
     EXPECT_EQ(static_cast<int>(preset.method), config_.method) << name;
     EXPECT_EQ(preset.noise.floor, config_.noise_floor) << name;

@@ -7,8 +7,34 @@
 #include <ros/service.h>
 
 #include <functional>
+#include <string>
 
 namespace line_plane_segmentation {
+
+/// Has a request ask for this one parameter, too; those that it does not name stay as they are.
+inline void setDouble(dynamic_reconfigure::Reconfigure& call, const std::string& name, double value) {
+  dynamic_reconfigure::DoubleParameter parameter;
+  parameter.name = name;
+  parameter.value = value;
+  call.request.config.doubles.push_back(parameter);
+}
+
+/// As setDouble().
+inline void setString(dynamic_reconfigure::Reconfigure& call, const std::string& name,
+                      const std::string& value) {
+  dynamic_reconfigure::StrParameter parameter;
+  parameter.name = name;
+  parameter.value = value;
+  call.request.config.strs.push_back(parameter);
+}
+
+/// Sends a request to a segmenter; `call` then has its answer.
+inline void reconfigure(dynamic_reconfigure::Reconfigure& call,
+                        const std::string& segmenter = "plane_segmenter") {
+  const std::string service = segmenter + "/set_parameters";
+  EXPECT_TRUE(ros::service::waitForService(service, 15000));
+  EXPECT_TRUE(ros::service::call(service, call));
+}
 
 /// Asks the segmenter under test for other parameters than the defaults.
 /// @return what it made of them
@@ -17,8 +43,7 @@ inline PlaneSegmenterConfig reconfigure(const std::function<void(PlaneSegmenterC
   change(config);
   dynamic_reconfigure::Reconfigure call;
   config.__toMessage__(call.request.config);
-  EXPECT_TRUE(ros::service::waitForService("plane_segmenter/set_parameters", 15000));
-  EXPECT_TRUE(ros::service::call("plane_segmenter/set_parameters", call));
+  reconfigure(call);
   EXPECT_TRUE(config.__fromMessage__(call.response.config));
   return config;
 }

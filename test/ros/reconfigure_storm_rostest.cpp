@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Rows 30 and 31: reconfigured as often as it can while it works, also with nonsense. Each frame sees one
 // consistent set of parameters, and none waits.
-#include <dynamic_reconfigure/Reconfigure.h>
 #include <gtest/gtest.h>
 #include <line_plane_segmentation/PlaneArray.h>
-#include <line_plane_segmentation/PlaneSegmenterConfig.h>
 
 #include <atomic>
 #include <cmath>
@@ -14,6 +12,7 @@
 #include <thread>
 #include <vector>
 
+#include "reconfigure.h"
 #include "test_camera.h"
 
 namespace line_plane_segmentation {
@@ -70,11 +69,8 @@ class Storm {
 
   void request(ros::ServiceClient& client, const Range& range) {
     dynamic_reconfigure::Reconfigure call;
-    call.request.config.doubles.resize(2);
-    call.request.config.doubles[0].name = "min_range";
-    call.request.config.doubles[0].value = range[0];
-    call.request.config.doubles[1].name = "max_range";
-    call.request.config.doubles[1].value = range[1];
+    setDouble(call, "min_range", range[0]);
+    setDouble(call, "max_range", range[1]);
     ASSERT_TRUE(client.call(call));
     for (const auto& value : call.response.config.doubles)
       EXPECT_TRUE(std::isfinite(value.value)) << value.name;

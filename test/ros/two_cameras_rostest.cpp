@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Rows 27 and 35: two segmenters in one manager know nothing of each other, and one goes on when the other
 // leaves.
-#include <dynamic_reconfigure/Reconfigure.h>
 #include <gtest/gtest.h>
 #include <line_plane_segmentation/PlaneArray.h>
 
 #include <string>
 
 #include "nodelet_calls.h"
+#include "reconfigure.h"
 #include "test_camera.h"
 #include "test_reports.h"
 
@@ -81,10 +81,8 @@ TEST_F(TwoCameras, areIndependent) {
   for (int i = 0; i < 30; ++i) publishAndExpect(1, 1);
 
   dynamic_reconfigure::Reconfigure call;
-  call.request.config.doubles.resize(1);
-  call.request.config.doubles[0].name = "max_range";
-  call.request.config.doubles[0].value = 0.8;
-  ASSERT_TRUE(ros::service::call(left_.name + "/set_parameters", call));
+  setDouble(call, "max_range", 0.8);
+  reconfigure(call, left_.name);
   for (int i = 0; i < 3; ++i) publishAndExpect(0, 1);
 
   left_.camera.publish(left_.image, sensor_msgs::CameraInfo(), ros::Time(seconds_ += 0.1));
