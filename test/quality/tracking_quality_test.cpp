@@ -3,7 +3,6 @@
 // following them takes little time.
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <chrono>
 #include <cstdint>
 #include <iostream>
@@ -14,6 +13,7 @@
 #include "line_plane_segmentation/plane_tracker.h"
 #include "line_plane_segmentation/simulation/simulated_camera.h"
 #include "region_overlap.h"
+#include "support/median.h"
 
 namespace line_plane_segmentation {
 namespace {
@@ -62,12 +62,6 @@ class IdentityJudge {
   std::map<std::uint32_t, std::uint16_t> plane_of_;
   std::map<std::uint16_t, double> last_visible_;
 };
-
-double median(std::vector<double> values) {
-  std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2),
-                   values.end());
-  return values[values.size() / 2];
-}
 
 template <typename Function>
 double millisecondsOf(Function&& function) {

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "support/median.h"
 #include "test_camera.h"
 #include "test_process.h"
 #include "test_reports.h"
@@ -19,12 +20,6 @@ namespace {
 using diagnostic_msgs::DiagnosticStatus;
 
 constexpr int kQueueSize = 40;  // as in overload.test
-
-double median(std::vector<double> values) {
-  std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2),
-                   values.end());
-  return values[values.size() / 2];
-}
 
 class Overload : public testing::Test {
  protected:

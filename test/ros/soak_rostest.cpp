@@ -60,7 +60,7 @@ std::vector<TestFrame> badFrames() {
 
 class Soak : public testing::Test {
  protected:
-  Soak() { EXPECT_TRUE(camera_.waitForSubscriber()); }
+  void SetUp() override { ASSERT_TRUE(camera_.waitForSubscriber()); }
 
   // Two frames are always under way, so that the segmenter never waits for one.
   bool waitUntilUnderWay(int most) {
