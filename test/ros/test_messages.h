@@ -12,6 +12,7 @@
 #include <cstring>
 #include <string>
 
+#include "camera_info_message.h"
 #include "line_plane_segmentation/camera_intrinsics.h"
 
 namespace line_plane_segmentation {
@@ -30,17 +31,9 @@ inline Eigen::Vector3d rayOf(const CameraIntrinsics& camera, double u, double v)
 }
 
 inline sensor_msgs::CameraInfo testInfo(std::uint32_t width, std::uint32_t height) {
-  const CameraIntrinsics camera = testCamera(width, height);
-  sensor_msgs::CameraInfo info;
-  info.header.frame_id = kCameraFrame;
-  info.width = width;
-  info.height = height;
-  info.distortion_model = "plumb_bob";
-  info.D.assign(5, 0.0);
-  info.K = {camera.fx, 0.0, camera.cx, 0.0, camera.fy, camera.cy, 0.0, 0.0, 1.0};
-  info.R = {1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0};
-  info.P = {camera.fx, 0.0, camera.cx, 0.0, 0.0, camera.fy, camera.cy, 0.0, 0.0, 0.0, 1.0, 0.0};
-  return info;
+  std_msgs::Header header;
+  header.frame_id = kCameraFrame;
+  return makeCameraInfo(header, testCamera(width, height), static_cast<int>(width), static_cast<int>(height));
 }
 
 inline std::size_t pixelSize(const std::string& encoding) {
