@@ -205,10 +205,3 @@ TEST_F(BagTest, theDeskStandsInTheWorld) {
 
 }  // namespace
 }  // namespace line_plane_segmentation
-
-int main(int argc, char** argv) {
-  testing::InitGoogleTest(&argc, argv);
-  ros::init(argc, argv, "bag_rostest");
-  const ros::NodeHandle keeps_ros_running;
-  return RUN_ALL_TESTS();
-}

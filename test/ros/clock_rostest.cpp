@@ -80,10 +80,3 @@ TEST_F(Clock, mayDoAnything) {
 
 }  // namespace
 }  // namespace line_plane_segmentation
-
-int main(int argc, char** argv) {
-  testing::InitGoogleTest(&argc, argv);
-  ros::init(argc, argv, "clock_rostest");
-  const ros::NodeHandle keeps_ros_running;
-  return RUN_ALL_TESTS();
-}

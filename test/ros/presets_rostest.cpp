@@ -56,10 +56,3 @@ TEST_F(Presets, areLoadedWhileItRuns) {
 
 }  // namespace
 }  // namespace line_plane_segmentation
-
-int main(int argc, char** argv) {
-  testing::InitGoogleTest(&argc, argv);
-  ros::init(argc, argv, "presets_rostest");
-  const ros::NodeHandle keeps_ros_running;
-  return RUN_ALL_TESTS();
-}

@@ -115,10 +115,3 @@ TEST(ReconfigureStorm, leavesEachFrameOneSetOfParametersAndWaitsForNone) {
 
 }  // namespace
 }  // namespace line_plane_segmentation
-
-int main(int argc, char** argv) {
-  testing::InitGoogleTest(&argc, argv);
-  ros::init(argc, argv, "reconfigure_storm_rostest");
-  const ros::NodeHandle keeps_ros_running;
-  return RUN_ALL_TESTS();
-}

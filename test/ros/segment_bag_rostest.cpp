@@ -167,10 +167,3 @@ TEST(SegmentBag, givesWhatTheRunningSegmenterPublishes) {
 
 }  // namespace
 }  // namespace line_plane_segmentation
-
-int main(int argc, char** argv) {
-  testing::InitGoogleTest(&argc, argv);
-  ros::init(argc, argv, "segment_bag_rostest");
-  const ros::NodeHandle keeps_ros_running;
-  return RUN_ALL_TESTS();
-}

@@ -149,10 +149,3 @@ TEST_F(ZeroCopy, whatHasBeenPublishedStaysAsItIs) {
 
 }  // namespace
 }  // namespace line_plane_segmentation
-
-int main(int argc, char** argv) {
-  testing::InitGoogleTest(&argc, argv);
-  ros::init(argc, argv, "zero_copy_rostest");
-  const ros::NodeHandle keeps_ros_running;
-  return RUN_ALL_TESTS();
-}
