@@ -136,7 +136,9 @@ class BagSegmentation {
                           const std_msgs::Header& header) {
     const double latest = frame.time.toSec() + task_.location.frames.tf_patience;
     CameraPlaces places = locator.lookUp(header);
-    while (places.isLate() && read_until_.toSec() < latest && readOne()) places = locator.lookUp(header);
+    while ((places.isLate() || places.isUnknown()) && read_until_.toSec() < latest && readOne()) {
+      places = locator.lookUp(header);
+    }
     return places;
   }
 

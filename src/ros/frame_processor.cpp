@@ -1,12 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "frame_processor.h"
 
-#include <chrono>
 #include <thread>
 
 #include "line_plane_segmentation/ros/conversions.h"
 
 namespace line_plane_segmentation {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+// What tf has told nothing of for so long, it will not tell: whoever has no tf gets no later answers for it.
+constexpr std::chrono::seconds kUnknownForGood(1);
+
+}  // namespace
 
 FrameProcessor::FrameProcessor(const std::string& name, const InputLimits& limits, std::size_t queue_size,
                                const Outputs& outputs, tf2::BufferCore& transforms)
@@ -42,15 +49,21 @@ void FrameProcessor::applyParameters() {
   locator_.setParameters(parameters.location);
 }
 
+// When tf has just begun, or a bag begins again, the first transforms come about when the first image does.
+bool FrameProcessor::mayCome(const CameraPlaces& places) {
+  if (!places.isUnknown()) unknown_since_.reset();
+  if (!unknown_since_ && places.isUnknown()) unknown_since_ = Clock::now();
+  return places.isLate() || (unknown_since_ && Clock::now() - *unknown_since_ < kUnknownForGood);
+}
+
 // Transforms are often a little later than the image that they belong to. It waits for them here, where
 // nobody else is kept waiting, by a clock that goes on whatever ROS's time does, and counted from its
 // arrival: frames behind it wait at the same time, so that none of them is lost.
-CameraPlaces FrameProcessor::findPlaces(const CameraFrame& frame) const {
-  using Clock = std::chrono::steady_clock;
+CameraPlaces FrameProcessor::findPlaces(const CameraFrame& frame) {
   constexpr std::chrono::milliseconds kPause(2);
   const std::chrono::duration<double> patience(locator_.parameters().frames.tf_patience);
   CameraPlaces places = locator_.lookUp(segmenter_.header());
-  while (places.isLate() && Clock::now() - frame.arrived < patience && !worker_.queue().closed()) {
+  while (mayCome(places) && Clock::now() - frame.arrived < patience && !worker_.queue().closed()) {
     std::this_thread::sleep_for(kPause);
     places = locator_.lookUp(segmenter_.header());
   }

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <chrono>
 #include <mutex>
+#include <optional>
 #include <string>
 
 #include "frame_segmenter.h"
@@ -34,7 +36,8 @@ class FrameProcessor {
  private:
   void process(const CameraFrame& frame);
   void applyParameters();
-  CameraPlaces findPlaces(const CameraFrame& frame) const;
+  CameraPlaces findPlaces(const CameraFrame& frame);
+  bool mayCome(const CameraPlaces& places);
   void adviseOnPlaces(const CameraPlaces& places);
   void refuse(Refusal refusal, const std::string& explanation);
 
@@ -50,6 +53,7 @@ class FrameProcessor {
   FrameSegmenter segmenter_;
   PlaneLocator locator_;
   bool tracing_outlines_ = true;
+  std::optional<std::chrono::steady_clock::time_point> unknown_since_;  // frames that tf has told nothing of
 
   FrameWorker worker_;  // last: its thread uses all of the above
 };

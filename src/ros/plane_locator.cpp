@@ -9,9 +9,9 @@ constexpr double kLongestPause = 60.0;  // [s]
 
 }  // namespace
 
-bool CameraPlaces::isLate() const {
+bool CameraPlaces::has(TransformLookup::Answer answer) const {
   for (const TransformLookup* lookup : {&target, &gravity, &fixed}) {
-    if (lookup->answer == TransformLookup::Answer::kLate) return true;
+    if (lookup->answer == answer) return true;
   }
   return false;
 }

@@ -23,7 +23,12 @@ struct CameraPlaces {
   TransformLookup fixed;
 
   /// Something is missing that may still come.
-  bool isLate() const;
+  bool isLate() const { return has(TransformLookup::Answer::kLate); }
+
+  /// Something is missing of which tf has told nothing so far, and perhaps never will.
+  bool isUnknown() const { return has(TransformLookup::Answer::kUnknown); }
+
+  bool has(TransformLookup::Answer answer) const;
 };
 
 /// Tells where the planes of one image after the other are, how they lie, and which of those before they are.

@@ -41,12 +41,24 @@ TransformLookup lookUp(tf2::BufferCore& buffer, const std::string& target, const
     lookup.answer = Answer::kFound;
   } catch (const tf2::ExtrapolationException& exception) {
     lookup.problem = exception.what();
-    const ros::Time known = newest(buffer, target, source);
-    // Or it came just now, between the two questions: then asking again finds it.
-    if (!known.isZero() && (known < time || buffer.canTransform(target, source, time)))
-      lookup.answer = Answer::kLate;
+    ros::Time known = newest(buffer, target, source);
     // Not as a difference of times, which throws where it is too large.
-    if (known.toSec() - time.toSec() > buffer.getCacheLength().toSec()) buffer.clear();
+    if (known.toSec() - time.toSec() > buffer.getCacheLength().toSec()) {
+      buffer.clear();
+      known = {};
+    }
+    if (known.isZero()) {
+      lookup.answer = Answer::kUnknown;
+    } else if (known < time || buffer.canTransform(target, source, time)) {
+      // Or it came just now, between the two questions: then asking again finds it.
+      lookup.answer = Answer::kLate;
+    }
+  } catch (const tf2::LookupException& exception) {
+    lookup.problem = exception.what();
+    lookup.answer = Answer::kUnknown;
+  } catch (const tf2::ConnectivityException& exception) {
+    lookup.problem = exception.what();
+    lookup.answer = Answer::kUnknown;
   } catch (const std::exception& exception) {
     // Not tf2's alone: times that lie very far apart make it throw others.
     lookup.problem = exception.what();

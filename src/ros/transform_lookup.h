@@ -14,6 +14,8 @@ struct TransformLookup {
   enum class Answer {
     kFound,
     kLate,     ///< not known yet for this time, only for earlier ones: it may come
+    kUnknown,  ///< the frames are not known, or not how they hang together, at any time: a moment ago tf
+               ///< began, or began again, or it never tells
     kMissing,  ///< not known, and waiting will not help
   };
   Answer answer = Answer::kMissing;

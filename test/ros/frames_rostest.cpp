@@ -188,6 +188,22 @@ TEST_F(Frames, waitsALittleForLateTransformsAndNotForever) {
   EXPECT_TRUE(waitUntil([&] { return refusedForTf() == refused + 10; })) << refusedForTf() - refused;
 }
 
+// Then tf knows nothing of the new time until its first transform comes, which may be later than the image.
+TEST_F(Frames, waitsWhereTimeHasGoneBack) {
+  reconfigure([](PlaneSegmenterConfig& config) {
+    config.target_frame = config.gravity_frame = "world";
+    config.tf_patience = 0.5;
+  });
+  ASSERT_TRUE(answersSoon("world"));
+  for (const double seconds : {500.0, 300.0}) {
+    const ros::Time stamp(seconds);
+    publish(stamp);
+    EXPECT_FALSE(planes_.waitFor(stamp, 0.1));
+    sendTransform("world", stamp);
+    EXPECT_TRUE(planes_.waitFor(stamp)) << seconds;
+  }
+}
+
 // A bag of 20 s that is played in a loop without a clock: nobody tells tf that time goes back.
 TEST_F(Frames, goesOnWhenABagBeginsAgain) {
   sendStaticTransform();

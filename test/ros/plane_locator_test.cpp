@@ -66,6 +66,7 @@ class Locator : public testing::Test {
 TEST_F(Locator, asksTfForNothingByItself) {
   const PublishedPlanes& published = look(100.0, 0.0);
   EXPECT_FALSE(places_.isLate());
+  EXPECT_FALSE(places_.isUnknown());
   EXPECT_EQ("camera", published.header.frame_id);
   EXPECT_TRUE(published.placement.isApprox(Eigen::Isometry3d::Identity()));
   for (const PublishedPlane& plane : published.planes) EXPECT_EQ(Orientation::kUnknown, plane.orientation);
@@ -99,6 +100,7 @@ TEST_F(Locator, goesOnWithoutGravity) {
   parameters_.frames.gravity_frame = parameters_.frames.fixed_frame = "world";
   const PublishedPlanes& published = look(100.0, 0.0);
   EXPECT_FALSE(places_.isLate()) << "it would be waited for, forever and in vain";
+  EXPECT_TRUE(places_.isUnknown());
   ASSERT_EQ(3U, published.planes.size());
   for (const PublishedPlane& plane : published.planes) EXPECT_EQ(Orientation::kUnknown, plane.orientation);
 }
