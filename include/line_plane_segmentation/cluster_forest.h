@@ -47,8 +47,8 @@ class ClusterForest {
   /// What it costs to merge the clusters of two roots; the largest number there is if they fix no plane.
   double costOf(int a, int b) const;
 
-  /// Remembers two patches whose clusters may merge, for mergePairs(limit).
-  void addPair(int a, int b, double limit);
+  /// Remembers two patches whose clusters may merge, for mergePairs().
+  void addPair(int a, int b);
 
   /// Merges the clusters of the pairs remembered that cost less than the limit, then forgets the pairs.
   /// @param rounds  shares of the limit, rising to 1, asked one after the other: so what is most alike has
@@ -64,7 +64,7 @@ class ClusterForest {
   struct Pair {
     double cost;  ///< of merging their clusters, as these were
     int a, b;
-    int patches;  ///< of both clusters then: clusters only grow, so the cost holds while this does
+    int patches;  ///< of both clusters then: clusters only grow, so the cost holds while this does; 0 at first
   };
 
   static double costOf(const PatchCluster& a, const PatchCluster& b, double squared_error);

@@ -30,13 +30,10 @@ double ClusterForest::costOf(int a, int b) const {
   return costOf(first, second, (first.moments + second.moments).fit(plane));
 }
 
-void ClusterForest::addPair(int a, int b, double limit) {
+void ClusterForest::addPair(int a, int b) {
   const int root_a = find(a), root_b = find(b);
   if (root_a == root_b || cluster(root_a).patches == 0 || cluster(root_b).patches == 0) return;
-  const double cost = costOf(root_a, root_b);
-  // A pair of single patches may cost more than the clusters that they come to belong to, whose planes are
-  // surer.
-  if (cost < 4.0 * limit) pairs_.push_back({cost, a, b, cluster(root_a).patches + cluster(root_b).patches});
+  pairs_.push_back({0.0, a, b, 0});
 }
 
 // Merges the clusters of a pair if that costs less than the limit.
@@ -61,7 +58,9 @@ void ClusterForest::mergePairs(double limit, std::initializer_list<double> round
   for (const double share : rounds) {
     std::size_t kept = 0;
     for (Pair& pair : pairs_) {
-      if (!mergeIfCheaper(pair, share * limit)) pairs_[kept++] = pair;
+      // A pair of single patches may cost more than the clusters that they come to belong to, whose planes
+      // are surer.
+      if (!mergeIfCheaper(pair, share * limit) && pair.cost < 4.0 * limit) pairs_[kept++] = pair;
     }
     pairs_.resize(kept);
   }

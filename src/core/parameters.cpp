@@ -112,7 +112,7 @@ Parameters resolve(const Parameters& parameters, int width) {
   Parameters p = parameters;
   const int w = std::max(width, 1);
   if (p.method == Method::kAdaptive) {
-    setIfZero(p.scanlines.scanline_spacing, std::max(4, fromWidth(8, 12, 1.0, w)));
+    setIfZero(p.scanlines.scanline_spacing, std::max(4, fromWidth(10, 12, 1.0, w)));
     setIfZero(p.scanlines.fine_spacing, std::max(2, p.scanlines.scanline_spacing / 2));
     setIfZero(p.lines.line_window, std::max(5, fromWidth(15, 21, 1.0, w) | 1));
     setIfZero(p.extraction.min_plane_inliers, fromWidth(575, 2300, 2.0, w));

@@ -68,8 +68,8 @@ void PatchClusterer::clusterCoarse(const PatchGrid& coarse, const Parameters& pa
   for (int r = 0; r < coarse.rows; ++r) {
     for (int c = 0; c < coarse.columns; ++c) {
       const int i = coarse.indexOf(c, r);
-      if (c + 1 < coarse.columns) forest_.addPair(i, i + 1, limit);
-      if (r + 1 < coarse.rows) forest_.addPair(i, i + coarse.columns, limit);
+      if (c + 1 < coarse.columns) forest_.addPair(i, i + 1);
+      if (r + 1 < coarse.rows) forest_.addPair(i, i + coarse.columns);
     }
   }
   forest_.mergePairs(limit, {1.0 / 64, 1.0 / 16, 1.0 / 8, 1.0 / 4, 1.0 / 2, 1.0, 1.0});
@@ -90,10 +90,10 @@ void PatchClusterer::addFine(const PatchLevels& levels, double limit) {
   const double join_limit = kJoinCost * limit;
   for (int i = first; i < levels.count(); ++i) {
     const int u = levels.u(i), v = levels.v(i), here = coarse.indexAt(u, v);
-    forest_.addPair(i, here, join_limit);
+    forest_.addPair(i, here);
     for (const int neighbor : {coarse.indexAt(u - step, v), coarse.indexAt(u + step, v),
                                coarse.indexAt(u, v - step), coarse.indexAt(u, v + step)}) {
-      if (neighbor != here) forest_.addPair(i, neighbor, join_limit);
+      if (neighbor != here) forest_.addPair(i, neighbor);
     }
   }
   forest_.mergePairs(join_limit, {1.0 / 4, 1.0});
@@ -101,8 +101,8 @@ void PatchClusterer::addFine(const PatchLevels& levels, double limit) {
     const int cell = fine.cells[static_cast<std::size_t>(i - first)];
     const int left = cell % fine.columns == 0 ? -1 : fine.patchAt(cell - 1);
     const int above = fine.patchAt(cell - fine.columns);
-    if (left >= 0) forest_.addPair(first + left, i, limit);
-    if (above >= 0) forest_.addPair(first + above, i, limit);
+    if (left >= 0) forest_.addPair(first + left, i);
+    if (above >= 0) forest_.addPair(first + above, i);
   }
   forest_.mergePairs(limit, {1.0 / 16, 1.0 / 4, 1.0, 1.0});
 }

@@ -66,8 +66,8 @@ TEST(ClusterForest, CostIsTheErrorThatACommonPlaneAddsToTheSmaller) {
 
 TEST(ClusterForest, MergesTheNeighborsThatLieInOnePlane) {
   ClusterForest forest = fourPatches();
-  for (int i = 0; i < 3; ++i) forest.addPair(i, i + 1, 8.0);
-  forest.addPair(0, 0, 8.0);
+  for (int i = 0; i < 3; ++i) forest.addPair(i, i + 1);
+  forest.addPair(0, 0);
   forest.mergePairs(8.0, kRounds);
   EXPECT_EQ(forest.find(0), forest.find(1));
   EXPECT_NE(forest.find(0), forest.find(2));
@@ -79,7 +79,7 @@ TEST(ClusterForest, MergesTheNeighborsThatLieInOnePlane) {
 
 TEST(ClusterForest, CanBeCleared) {
   ClusterForest forest = fourPatches();
-  forest.addPair(0, 1, 8.0);
+  forest.addPair(0, 1);
   forest.clear();
   EXPECT_EQ(forest.size(), 0);
   forest.mergePairs(8.0, kRounds);
@@ -97,7 +97,7 @@ TEST(ClusterForest, KnowsWhatItsClustersAreMadeOf) {
       patches.push_back(patchOn(plane, 0.1 * i, 0.05 * (i % 5), random));
       forest.add(patches.back(), 0.01);
     }
-    for (int i = 0; i < 60; ++i) forest.addPair(random.integer(0, 29), random.integer(0, 29), 8.0);
+    for (int i = 0; i < 60; ++i) forest.addPair(random.integer(0, 29), random.integer(0, 29));
     forest.mergePairs(8.0, kRounds);
     std::vector<RegressionMoments> sums(30);
     std::vector<int> counts(30, 0);
