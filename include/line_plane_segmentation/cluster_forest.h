@@ -64,7 +64,8 @@ class ClusterForest {
   struct Pair {
     double cost;  ///< of merging their clusters, as these were
     int a, b;
-    int patches;  ///< of both clusters then: clusters only grow, so the cost holds while this does; 0 at first
+    int patches;  ///< of both clusters then: clusters only grow, so the cost holds while this does; 0 at
+                  ///< first
   };
 
   static double costOf(const PatchCluster& a, const PatchCluster& b, double squared_error);
