@@ -18,10 +18,6 @@
 #include "support/random.h"
 #include "support/synthetic_depth.h"
 
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-#include <sanitizer/allocator_interface.h>
-#endif
-
 namespace {
 
 std::atomic<long> allocations{0};
@@ -35,8 +31,16 @@ void countLive(std::size_t bytes) {
 
 }  // namespace
 
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-// A sanitizer has an allocator of its own, which tells of every call.
+#ifdef __SANITIZE_ADDRESS__
+// The sanitizer has an allocator of its own, which tells of every call. GCC has no header for that.
+extern "C" {
+
+std::size_t __sanitizer_get_allocated_size(const volatile void* memory);
+int __sanitizer_install_malloc_and_free_hooks(void (*allocated)(const volatile void*, std::size_t),
+                                              void (*released)(const volatile void*));
+
+}  // extern "C"
+
 namespace {
 
 void countAllocation(const volatile void*, std::size_t size) {
