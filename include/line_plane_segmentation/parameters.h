@@ -89,9 +89,9 @@ struct PatchParameters {
 
 /// Method adaptive: which patches make one plane.
 struct ClusterParameters {
-  double merge_cost = 9.0;     ///< [-] neighbours merge if that moves neither by more, in tolerances squared.
+  double merge_cost = 8.0;     ///< [-] neighbours merge if that moves neither by more, in tolerances squared.
                                ///< Higher -> fewer, larger planes over blunt edges
-  double coplanar_cost = 4.0;  ///< [-] the same for planes apart, with an object before the gap; 0 = never.
+  double coplanar_cost = 3.5;  ///< [-] the same for planes apart, with an object before the gap; 0 = never.
                                ///< Higher -> more is joined across gaps
   double max_curvedness = 1.2;  ///< [-] largest mean squared error of a small plane, in tolerances squared.
                                 ///< Higher -> pieces of curved things, as people, count as planes
@@ -99,7 +99,7 @@ struct ClusterParameters {
                                 ///< tolerances squared. Higher -> people and rough things count as planes
   double max_bend = 0.1;  ///< [-] mean square that a small plane may deviate as a curved surface would, in
                           ///< tolerances squared. Higher -> pieces of smooth curved things count as planes
-  int min_patches = 4;    ///< [-] smallest plane in patches. Higher -> only large planes
+  int min_patches = 3;    ///< [-] smallest plane in patches. Higher -> only large planes
 };
 
 /// Method adaptive: tidying the label image. 0 means: from the image's width.

@@ -148,7 +148,6 @@ bool loadPreset(const std::string& name, Parameters& parameters) {
     parameters.clusters.coplanar_cost = 0.0;  // every face for itself
     parameters.clusters.max_curvedness = 1000.0;
     parameters.clusters.max_bend = 1000.0;
-    parameters.clusters.min_patches = 3;
     parameters.extraction.plane_distance = 1e-4;
     parameters.extraction.neighbor_distance = 0.005;
     parameters.extraction.distance_noise_factor = 4.0;

@@ -159,7 +159,7 @@ class SimulatedQuality : public testing::Test {
 };
 
 TEST_F(SimulatedQuality, ofRegions) {
-  expectAtLeast({0.61, 0.62, 0.69, 0.89, 0.93}, figuresOf(frames(), kSimulatedMinPixels));
+  expectAtLeast({0.64, 0.65, 0.73, 0.89, 0.94}, figuresOf(frames(), kSimulatedMinPixels));
 }
 
 TEST_F(SimulatedQuality, ofPixelsWherePlanesMeet) {
