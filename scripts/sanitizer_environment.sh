@@ -16,7 +16,8 @@ case $sanitizer in
   # whose bound of memory leaves little room for what is kept to notice its use after it was freed.
   address)
     export ASAN_OPTIONS=$options:detect_leaks=0:quarantine_size_mb=4:detect_stack_use_after_return=1:strict_string_checks=1
-    LD_PRELOAD=$("${CXX:-g++}" -print-file-name=libasan.so)
+    # With the sanitizer alone, Python's process would not find how to throw what a module throws.
+    LD_PRELOAD="$("${CXX:-g++}" -print-file-name=libasan.so) $("${CXX:-g++}" -print-file-name=libstdc++.so)"
     export LD_PRELOAD
     ;;
   # A library that was not built so may lock in ways that the sanitizer does not see.
