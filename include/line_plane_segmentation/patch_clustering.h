@@ -26,15 +26,34 @@ class PatchClusterer {
                std::vector<int>& cluster_of);
 
  private:
+  /// How far the patches beside a plane lie off it, in tolerances.
+  struct Step {
+    int patches = 0;
+    double sum = 0.0, squares = 0.0;
+
+    void add(double deviation) {
+      ++patches;
+      sum += deviation;
+      squares += deviation * deviation;
+    }
+    bool isSteady() const;
+  };
+
   void addFine(const PatchLevels& levels, double limit);
   void trim(const PatchLevels& levels, int min_patches, std::vector<PatchCluster>& clusters,
             std::vector<int>& cluster_of);
+  void partAtSteps(const PatchLevels& levels, const ClusterParameters& parameters,
+                   const std::vector<int>& untrimmed, std::vector<PatchCluster>& clusters,
+                   std::vector<int>& cluster_of);
   void dropUneven(const PatchLevels& levels, const ClusterParameters& parameters,
                   std::vector<PatchCluster>& clusters, std::vector<int>& cluster_of);
 
   ClusterForest forest_;
   CoplanarMerger coplanar_merger_;
   std::vector<PatchCluster> coarse_sums_, fine_sums_;  // of each cluster
+  std::vector<int> untrimmed_, outlier_of_;            // of each patch
+  std::vector<PatchCluster> outliers_;                 // of each cluster
+  std::vector<Step> steps_;                            // of each cluster
   std::vector<SurfaceBend> bends_;
   std::vector<int> new_index_;
 };

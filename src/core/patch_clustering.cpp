@@ -32,6 +32,11 @@ constexpr double kLargeShare = 0.05, kNeverUnevenShare = 0.1;
 constexpr int kMinBendPoints = 8;
 constexpr double kBendUnit = 0.01;  // [1/px] keeps fourth powers near 1
 
+// So many outliers of a plane are another one if they all lie the same step off it: the mean of the step is
+// at least so many times its standard deviation. Where a plane is bent, they lie off it on both sides.
+constexpr int kMinStepPatches = 12;
+constexpr double kSteadyStep = 10.0;
+
 // What a bound for small planes grows to for one that fills a share of the picture.
 double allowDistortion(double bound, double share) { return bound * (1.0 + share / kDistortedShare); }
 
@@ -58,6 +63,11 @@ double deviationOf(const RegressionMoments& patch, const InverseDepthPlane& plan
 }
 
 }  // namespace
+
+bool PatchClusterer::Step::isSteady() const {
+  const double mean = sum / patches, variance = squares / patches - mean * mean;
+  return mean * mean > kSteadyStep * kSteadyStep * variance;
+}
 
 void PatchClusterer::clusterCoarse(const PatchGrid& coarse, const Parameters& parameters,
                                    std::vector<std::uint8_t>& explained) {
@@ -141,6 +151,45 @@ void PatchClusterer::trim(const PatchLevels& levels, int min_patches, std::vecto
   }
 }
 
+// A step within the tolerance does not keep a door from merging with the wall that it is set back in;
+// trimming then leaves it in no plane. Coarse patches that are outliers of one plane, all the same step off
+// it, make another one.
+// @param untrimmed  the cluster of each patch before trimming
+void PatchClusterer::partAtSteps(const PatchLevels& levels, const ClusterParameters& parameters,
+                                 const std::vector<int>& untrimmed, std::vector<PatchCluster>& clusters,
+                                 std::vector<int>& cluster_of) {
+  const std::size_t coarse = levels.coarse.patches.size(), planes = clusters.size();
+  outliers_.assign(planes, PatchCluster{});
+  outlier_of_.assign(cluster_of.size(), -1);
+  for (std::size_t i = 0; i < coarse; ++i) {
+    if (untrimmed[i] < 0 || cluster_of[i] >= 0) continue;
+    outlier_of_[i] = untrimmed[i];
+    PatchCluster& sums = outliers_[static_cast<std::size_t>(untrimmed[i])];
+    sums.moments += levels.coarse.patches[i].moments;
+    sums.share += 1.0 / static_cast<double>(coarse);
+  }
+  for (PatchCluster& sums : outliers_) sums.squared_error = sums.moments.fit(sums.plane);
+  // Others, elsewhere along the plane's border, are no part of it.
+  for (int round = 0; round < 2; ++round) trim(levels, parameters.min_patches, outliers_, outlier_of_);
+
+  steps_.assign(planes, Step{});
+  for (std::size_t i = 0; i < coarse; ++i) {
+    if (outlier_of_[i] < 0) continue;
+    const std::size_t k = static_cast<std::size_t>(outlier_of_[i]);
+    steps_[k].add(deviationOf(levels.coarse.patches[i].moments, clusters[k].plane));
+  }
+  new_index_.assign(planes, -1);
+  for (std::size_t k = 0; k < planes && clusters.size() < kMaxClusters; ++k) {
+    if (steps_[k].patches < kMinStepPatches || !steps_[k].isSteady() || !isPlane(outliers_[k], parameters))
+      continue;
+    new_index_[k] = static_cast<int>(clusters.size());
+    clusters.push_back(outliers_[k]);
+  }
+  for (std::size_t i = 0; i < coarse; ++i) {
+    if (outlier_of_[i] >= 0) cluster_of[i] = new_index_[static_cast<std::size_t>(outlier_of_[i])];
+  }
+}
+
 // Takes away the clusters that are no planes but curved, as people and cushions are, or uneven. A cluster's
 // mean squared error hides that behind its pixels' noise; the patches, each a mean over many pixels, show it.
 void PatchClusterer::dropUneven(const PatchLevels& levels, const ClusterParameters& parameters,
@@ -182,7 +231,9 @@ void PatchClusterer::cluster(const DepthImage& depth, const ViewRays& rays, cons
   for (int i = 0; i < forest_.size(); ++i) {
     cluster_of[static_cast<std::size_t>(i)] = cluster_of[static_cast<std::size_t>(forest_.find(i))];
   }
+  untrimmed_ = cluster_of;
   trim(levels, parameters.clusters.min_patches, clusters, cluster_of);
+  partAtSteps(levels, parameters.clusters, untrimmed_, clusters, cluster_of);
   dropUneven(levels, parameters.clusters, clusters, cluster_of);
 }
 

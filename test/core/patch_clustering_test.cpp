@@ -223,6 +223,35 @@ TEST(PatchClusterer, TakesAFlatThingOfThatSizeForAPlane) {
   EXPECT_GE(Clusters(noisy(depth, 0.3), parameters).at(160, 115), 0);
 }
 
+// Two tolerances are no step that keeps patches from merging.
+TEST(PatchClusterer, PartsADoorFromTheWallThatItIsSetBackIn) {
+  const Surface wall = surfaceAt(2.5, 0.2), door = surfaceAt(2.53, 0.2);
+  DepthImage depth = render(wall, kCamera, kWidth, kHeight);
+  paint(door, kCamera, {120, 190, 40, 210}, depth);
+  const Clusters found(noisy(depth, 0.3));
+  const int k_wall = found.at(40, 120), k_door = found.at(155, 120);
+  ASSERT_GE(k_wall, 0);
+  ASSERT_GE(k_door, 0);
+  ASSERT_NE(k_wall, k_door);
+  EXPECT_EQ(found.at(280, 120), k_wall);
+  EXPECT_NEAR(1.0 / found.clusters[static_cast<std::size_t>(k_wall)].plane.inverseDistance(), wall.d, 0.002);
+  EXPECT_NEAR(1.0 / found.clusters[static_cast<std::size_t>(k_door)].plane.inverseDistance(), door.d, 0.002);
+}
+
+// As the sensor bends it; there are outliers of its plane in the corners, but no step.
+TEST(PatchClusterer, LeavesABentWallWhole) {
+  DepthImage depth = render(surfaceAt(2.5), kCamera, kWidth, kHeight);
+  for (int v = 0; v < kHeight; ++v) {
+    for (int u = 0; u < kWidth; ++u) {
+      const double x = (u - 160.0) / 160.0, y = (v - 120.0) / 160.0;
+      depth.z[depth.index(u, v)] += static_cast<float>(0.045 * (x * x + y * y));
+    }
+  }
+  const Clusters found(noisy(depth, 0.3));
+  EXPECT_EQ(found.clusters.size(), 1U);
+  EXPECT_GE(std::count(found.cluster_of.begin(), found.cluster_of.begin() + found.levels.firstFine(), -1), 12);
+}
+
 TEST(PatchClusterer, OfNothingIsNothing) {
   const Clusters found(blankDepth(kWidth, kHeight));
   EXPECT_TRUE(found.clusters.empty());
