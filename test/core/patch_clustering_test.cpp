@@ -249,7 +249,8 @@ TEST(PatchClusterer, LeavesABentWallWhole) {
   }
   const Clusters found(noisy(depth, 0.3));
   EXPECT_EQ(found.clusters.size(), 1U);
-  EXPECT_GE(std::count(found.cluster_of.begin(), found.cluster_of.begin() + found.levels.firstFine(), -1), 12);
+  EXPECT_GE(std::count(found.cluster_of.begin(), found.cluster_of.begin() + found.levels.firstFine(), -1),
+            12);
 }
 
 TEST(PatchClusterer, OfNothingIsNothing) {
