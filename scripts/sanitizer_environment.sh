@@ -23,6 +23,7 @@ case $sanitizer in
   # A library that was not built so may lock in ways that the sanitizer does not see.
   thread)
     export TSAN_OPTIONS=$options:ignore_noninstrumented_modules=1:second_deadlock_stack=1
+    TSAN_OPTIONS+=:suppressions=$repository/test/sanitize/thread.suppressions
     ;;
   undefined)
     export UBSAN_OPTIONS=$options:print_stacktrace=1

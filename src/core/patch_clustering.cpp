@@ -184,6 +184,8 @@ void PatchClusterer::partAtSteps(const PatchLevels& levels, const ClusterParamet
       continue;
     new_index_[k] = static_cast<int>(clusters.size());
     clusters.push_back(outliers_[k]);
+    // Windows that reach over the step would tilt it.
+    clusters.back().is_narrow = true;
   }
   for (std::size_t i = 0; i < coarse; ++i) {
     if (outlier_of_[i] >= 0) cluster_of[i] = new_index_[static_cast<std::size_t>(outlier_of_[i])];
