@@ -11,7 +11,8 @@
 namespace line_plane_segmentation {
 
 /// Stage 4 of the adaptive method, first half: which planes there are. Clusters of patches grow by merging
-/// neighbours, those that cost least first; what is curved or rough is no plane.
+/// neighbours, those that cost least first; what lies a small but steady step off a plane, as a door does, is
+/// a plane of its own, and what is curved or rough is none.
 class PatchClusterer {
  public:
   /// Lets the coarse patches of an image grow together.
