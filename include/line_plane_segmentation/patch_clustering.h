@@ -16,7 +16,7 @@ namespace line_plane_segmentation {
 class PatchClusterer {
  public:
   /// Lets the coarse patches of an image grow together.
-  /// @param explained  for each of them whether it is part of a plane
+  /// @param explained  for each of them whether it needs no closer look: it is part of a plane, or clutter
   void clusterCoarse(const PatchGrid& coarse, const Parameters& parameters,
                      std::vector<std::uint8_t>& explained);
 
@@ -40,6 +40,7 @@ class PatchClusterer {
     bool isSteady() const;
   };
 
+  void dismissClutter(const PatchGrid& coarse, std::vector<std::uint8_t>& explained);
   void addFine(const PatchLevels& levels, double limit);
   void trim(const PatchLevels& levels, int min_patches, std::vector<PatchCluster>& clusters,
             std::vector<int>& cluster_of);
@@ -51,6 +52,7 @@ class PatchClusterer {
 
   ClusterForest forest_;
   CoplanarMerger coplanar_merger_;
+  std::vector<std::uint8_t> in_plane_;                 // of each coarse patch
   std::vector<PatchCluster> coarse_sums_, fine_sums_;  // of each cluster
   std::vector<int> untrimmed_, outlier_of_;            // of each patch
   std::vector<PatchCluster> outliers_;                 // of each cluster

@@ -86,7 +86,7 @@ class PatchDetector {
   void detect(const DepthImage& depth, const ViewRays& rays, const Parameters& parameters, PatchGrid& grid);
 
   /// Looks more closely, with shorter windows, where there are lines that no plane explains.
-  /// @param explained  for each patch of levels.coarse whether it is part of a plane
+  /// @param explained  for each patch of levels.coarse whether it needs no closer look
   /// @param levels     levels.fine is filled; it is empty if the parameters want nothing finer
   void refine(const DepthImage& depth, const ViewRays& rays, const Parameters& parameters,
               const std::vector<std::uint8_t>& explained, PatchLevels& levels);

@@ -32,6 +32,10 @@ constexpr double kLargeShare = 0.05, kNeverUnevenShare = 0.1;
 constexpr int kMinBendPoints = 8;
 constexpr double kBendUnit = 0.01;  // [1/px] keeps fourth powers near 1
 
+// So few planar patches with no plane within so many tiles are clutter, as on people: closer scanlines would
+// only make more of it.
+constexpr int kMostClutter = 3, kClutterReach = 2;
+
 // So many outliers of a plane are another one if they all lie the same step off it: the mean of the step is
 // at least so many times its standard deviation. Where a plane is bent, they lie off it on both sides.
 constexpr int kMinStepPatches = 12;
@@ -87,6 +91,30 @@ void PatchClusterer::clusterCoarse(const PatchGrid& coarse, const Parameters& pa
   for (std::size_t i = 0; i < explained.size(); ++i) {
     const int root = forest_.find(static_cast<int>(i));
     explained[i] = isPlane(forest_.cluster(root), parameters.clusters) ? 1 : 0;
+  }
+  dismissClutter(coarse, explained);
+}
+
+// Marks planar patches that no closer look makes a plane of.
+void PatchClusterer::dismissClutter(const PatchGrid& coarse, std::vector<std::uint8_t>& explained) {
+  in_plane_ = explained;
+  const auto isNearPlane = [&](int column, int row) {
+    const int first = std::max(0, column - kClutterReach);
+    const int last = std::min(coarse.columns - 1, column + kClutterReach);
+    for (int r = std::max(0, row - kClutterReach); r <= std::min(coarse.rows - 1, row + kClutterReach); ++r) {
+      for (int c = first; c <= last; ++c) {
+        if (in_plane_[static_cast<std::size_t>(coarse.indexOf(c, r))] != 0) return true;
+      }
+    }
+    return false;
+  };
+  for (int r = 0; r < coarse.rows; ++r) {
+    for (int c = 0; c < coarse.columns; ++c) {
+      const int i = coarse.indexOf(c, r);
+      if (!coarse.patches[static_cast<std::size_t>(i)].is_planar) continue;
+      const bool is_lone = forest_.cluster(forest_.find(i)).patches <= kMostClutter && !isNearPlane(c, r);
+      if (is_lone) explained[static_cast<std::size_t>(i)] = 1;
+    }
   }
 }
 

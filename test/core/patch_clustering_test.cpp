@@ -166,6 +166,23 @@ TEST(PatchClusterer, CallsExplainedWhatIsInAPlane) {
   EXPECT_EQ(found.explained[static_cast<std::size_t>(found.levels.coarse.indexAt(160, 120))], 0);
 }
 
+// A single planar patch.
+TEST(PatchClusterer, LooksAtClutterMoreCloselyBesidePlanesOnly) {
+  DepthImage depth = blankDepth(kWidth, kHeight);
+  paint(surfaceAt(1.5), kCamera, {156, 175, 106, 125}, depth);
+  const Clusters alone(depth);
+  EXPECT_TRUE(
+      alone.levels.coarse.patches[static_cast<std::size_t>(alone.levels.coarse.indexAt(165, 115))].is_planar);
+  EXPECT_TRUE(alone.levels.fine.patches.empty());
+
+  paint(surfaceAt(2.0), kCamera, {0, 150, 0, kHeight}, depth);
+  const Clusters beside(depth);
+  int fine = 0;
+  for (int i = beside.levels.firstFine(); i < beside.levels.count(); ++i)
+    fine += beside.levels.u(i) >= 156 && beside.levels.u(i) < 175 ? 1 : 0;
+  EXPECT_GE(fine, 4);
+}
+
 /// Part of a cylinder about the vertical, of radius 0.22 m, 1.6 m away, in the middle of the picture.
 DepthImage cylinder() {
   DepthImage depth = blankDepth(kWidth, kHeight);
