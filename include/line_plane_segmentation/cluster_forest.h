@@ -15,8 +15,8 @@ struct PatchCluster {
   double squared_error = 0.0;  ///< in units of the tolerance squared
   int patches = 0;             ///< 0: a patch that is not planar, and merges with nothing
   double share = 0.0;          ///< of the picture that its patches stand for
-  bool is_narrow =
-      false;  ///< its patches reach its borders: they tell where it is, but hardly how it is tilted
+  bool is_narrow = false;      ///< its patches reach its borders, or over the step beside it: they tell where
+                               ///< it is, but hardly how it is tilted
 };
 
 /// Clusters that grow by merging, each patch one at first: a forest, at whose roots is known what makes up a
@@ -50,7 +50,8 @@ class ClusterForest {
   /// Remembers two patches whose clusters may merge, for mergePairs().
   void addPair(int a, int b);
 
-  /// Merges the clusters of the pairs remembered that cost less than the limit, then forgets the pairs.
+  /// Merges the clusters of the pairs remembered that cost less than the limit, then forgets the pairs; those
+  /// that come to cost several times the limit it forgets at once.
   /// @param rounds  shares of the limit, rising to 1, asked one after the other: so what is most alike has
   ///                grown together before anything doubtful is asked
   void mergePairs(double limit, std::initializer_list<double> rounds);

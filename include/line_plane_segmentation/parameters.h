@@ -28,8 +28,9 @@ struct ScanlineParameters {
   double max_range = 10.0;  ///< [m] farther depths count as missing
   int scanline_spacing =
       0;  ///< [px] between scanlines; paper: 30 (VGA), 20 (QVGA). Higher -> faster, misses small planes
-  int fine_spacing = 0;  ///< [px] method adaptive: the same where lines are found but no plane. Higher ->
-                         ///< faster, misses narrow planes; from scanline_spacing on: nowhere
+  int fine_spacing =
+      0;  ///< [px] method adaptive: the same where lines are found but no plane, and no clutter. Higher ->
+          ///< faster, misses narrow planes; from scanline_spacing on: nowhere
 };
 
 /// Line regression, Algorithm 1. 0 means: from the image's width.

@@ -45,8 +45,7 @@ class PatchClusterer {
   void trim(const PatchLevels& levels, int min_patches, std::vector<PatchCluster>& clusters,
             std::vector<int>& cluster_of);
   void partAtSteps(const PatchLevels& levels, const ClusterParameters& parameters,
-                   const std::vector<int>& untrimmed, std::vector<PatchCluster>& clusters,
-                   std::vector<int>& cluster_of);
+                   std::vector<PatchCluster>& clusters, std::vector<int>& cluster_of);
   void dropUneven(const PatchLevels& levels, const ClusterParameters& parameters,
                   std::vector<PatchCluster>& clusters, std::vector<int>& cluster_of);
 
@@ -54,7 +53,8 @@ class PatchClusterer {
   CoplanarMerger coplanar_merger_;
   std::vector<std::uint8_t> in_plane_;                 // of each coarse patch
   std::vector<PatchCluster> coarse_sums_, fine_sums_;  // of each cluster
-  std::vector<int> untrimmed_, outlier_of_;            // of each patch
+  std::vector<int> untrimmed_;                         // the cluster of each patch before trimming
+  std::vector<int> outlier_of_;                        // of each patch, beside which cluster's plane it lies
   std::vector<PatchCluster> outliers_;                 // of each cluster
   std::vector<Step> steps_;                            // of each cluster
   std::vector<SurfaceBend> bends_;

@@ -24,7 +24,8 @@ struct PlaneEstimate {
 /// neighbours alike.
 PlaneEstimate estimatePlane(const PatchCluster& cluster);
 
-/// The plane of a narrow surface, whose patches reach its borders: by PCA of all pixels with its label.
+/// The plane of a narrow surface, whose patches reach its borders, or of one beside a step: by PCA of all
+/// pixels with its label.
 ///
 /// The errors of its pixels are shared by many of them, since the disparity's steps run along the surface and
 /// at its borders pixels see something else, too: its covariance takes them for no more than eight

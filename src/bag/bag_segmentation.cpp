@@ -131,14 +131,15 @@ class BagSegmentation {
     return locator->second;
   }
 
-  // As the nodelet waits for transforms that are late, the bag is read on.
+  // As the nodelet waits for transforms that are late, or the first of all, the bag is read on.
   CameraPlaces findPlaces(const BagFrame& frame, const PlaneLocator& locator,
                           const std_msgs::Header& header) {
     const double latest = frame.time.toSec() + task_.location.frames.tf_patience;
     CameraPlaces places = locator.lookUp(header);
-    while ((places.isLate() || places.isUnknown()) && read_until_.toSec() < latest && readOne()) {
-      places = locator.lookUp(header);
-    }
+    const auto mayCome = [&places] {
+      return places.has(TransformLookup::Answer::kLate) || places.has(TransformLookup::Answer::kUnknown);
+    };
+    while (mayCome() && read_until_.toSec() < latest && readOne()) places = locator.lookUp(header);
     return places;
   }
 

@@ -5,6 +5,13 @@
 #include <limits>
 
 namespace line_plane_segmentation {
+namespace {
+
+// [-] in limits; a pair of single patches may cost more than the clusters that they come to belong to, whose
+// planes are surer, but not so much more.
+constexpr double kHopeless = 4.0;
+
+}  // namespace
 
 void ClusterForest::clear() {
   clusters_.clear();
@@ -58,9 +65,7 @@ void ClusterForest::mergePairs(double limit, std::initializer_list<double> round
   for (const double share : rounds) {
     std::size_t kept = 0;
     for (Pair& pair : pairs_) {
-      // A pair of single patches may cost more than the clusters that they come to belong to, whose planes
-      // are surer.
-      if (!mergeIfCheaper(pair, share * limit) && pair.cost < 4.0 * limit) pairs_[kept++] = pair;
+      if (!mergeIfCheaper(pair, share * limit) && pair.cost < kHopeless * limit) pairs_[kept++] = pair;
     }
     pairs_.resize(kept);
   }

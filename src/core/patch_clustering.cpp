@@ -32,12 +32,12 @@ constexpr double kLargeShare = 0.05, kNeverUnevenShare = 0.1;
 constexpr int kMinBendPoints = 8;
 constexpr double kBendUnit = 0.01;  // [1/px] keeps fourth powers near 1
 
-// So few planar patches with no plane within so many tiles are clutter, as on people: closer scanlines would
-// only make more of it.
+// So few planar patches with no plane within so many tiles are clutter, as on people: closer scanlines on
+// them would only make more of it.
 constexpr int kMostClutter = 3, kClutterReach = 2;
 
 // So many outliers of a plane are another one if they all lie the same step off it: the mean of the step is
-// at least so many times its standard deviation. Where a plane is bent, they lie off it on both sides.
+// at least so many times its standard deviation. From a plane that is bent they rise steadily.
 constexpr int kMinStepPatches = 12;
 constexpr double kSteadyStep = 10.0;
 
@@ -181,20 +181,16 @@ void PatchClusterer::trim(const PatchLevels& levels, int min_patches, std::vecto
 
 // A step within the tolerance does not keep a door from merging with the wall that it is set back in;
 // trimming then leaves it in no plane. Coarse patches that are outliers of one plane, all the same step off
-// it, make another one.
-// @param untrimmed  the cluster of each patch before trimming
+// it, make another one, wherever on it they are: two doors at one depth are one plane.
 void PatchClusterer::partAtSteps(const PatchLevels& levels, const ClusterParameters& parameters,
-                                 const std::vector<int>& untrimmed, std::vector<PatchCluster>& clusters,
-                                 std::vector<int>& cluster_of) {
+                                 std::vector<PatchCluster>& clusters, std::vector<int>& cluster_of) {
   const std::size_t coarse = levels.coarse.patches.size(), planes = clusters.size();
   outliers_.assign(planes, PatchCluster{});
   outlier_of_.assign(cluster_of.size(), -1);
   for (std::size_t i = 0; i < coarse; ++i) {
-    if (untrimmed[i] < 0 || cluster_of[i] >= 0) continue;
-    outlier_of_[i] = untrimmed[i];
-    PatchCluster& sums = outliers_[static_cast<std::size_t>(untrimmed[i])];
-    sums.moments += levels.coarse.patches[i].moments;
-    sums.share += 1.0 / static_cast<double>(coarse);
+    if (untrimmed_[i] < 0 || cluster_of[i] >= 0) continue;
+    outlier_of_[i] = untrimmed_[i];
+    outliers_[static_cast<std::size_t>(untrimmed_[i])].moments += levels.coarse.patches[i].moments;
   }
   for (PatchCluster& sums : outliers_) sums.squared_error = sums.moments.fit(sums.plane);
   // Others, elsewhere along the plane's border, are no part of it.
@@ -208,12 +204,15 @@ void PatchClusterer::partAtSteps(const PatchLevels& levels, const ClusterParamet
   }
   new_index_.assign(planes, -1);
   for (std::size_t k = 0; k < planes && clusters.size() < kMaxClusters; ++k) {
+    const double share = steps_[k].patches / static_cast<double>(coarse);
+    outliers_[k].share = share;
     if (steps_[k].patches < kMinStepPatches || !steps_[k].isSteady() || !isPlane(outliers_[k], parameters))
       continue;
     new_index_[k] = static_cast<int>(clusters.size());
     clusters.push_back(outliers_[k]);
     // Windows that reach over the step would tilt it.
     clusters.back().is_narrow = true;
+    clusters[k].share -= share;
   }
   for (std::size_t i = 0; i < coarse; ++i) {
     if (outlier_of_[i] >= 0) cluster_of[i] = new_index_[static_cast<std::size_t>(outlier_of_[i])];
@@ -263,7 +262,7 @@ void PatchClusterer::cluster(const DepthImage& depth, const ViewRays& rays, cons
   }
   untrimmed_ = cluster_of;
   trim(levels, parameters.clusters.min_patches, clusters, cluster_of);
-  partAtSteps(levels, parameters.clusters, untrimmed_, clusters, cluster_of);
+  partAtSteps(levels, parameters.clusters, clusters, cluster_of);
   dropUneven(levels, parameters.clusters, clusters, cluster_of);
 }
 

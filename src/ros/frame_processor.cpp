@@ -47,13 +47,24 @@ void FrameProcessor::applyParameters() {
   parameters.method.outlines.trace_outlines &= trace_outlines;
   segmenter_.setParameters(parameters.method);
   locator_.setParameters(parameters.location);
+  unknown_since_ = {};
 }
 
 // When tf has just begun, or a bag begins again, the first transforms come about when the first image does.
 bool FrameProcessor::mayCome(const CameraPlaces& places) {
-  if (!places.isUnknown()) unknown_since_.reset();
-  if (!unknown_since_ && places.isUnknown()) unknown_since_ = Clock::now();
-  return places.isLate() || (unknown_since_ && Clock::now() - *unknown_since_ < kUnknownForGood);
+  const std::array lookups = places.all();
+  const Clock::time_point now = Clock::now();
+  bool may_come = places.has(TransformLookup::Answer::kLate);
+  for (std::size_t i = 0; i < lookups.size(); ++i) {
+    std::optional<Clock::time_point>& since = unknown_since_[i];
+    if (lookups[i]->answer != TransformLookup::Answer::kUnknown) {
+      since.reset();
+      continue;
+    }
+    if (!since) since = now;
+    may_come |= now - *since < kUnknownForGood;
+  }
+  return may_come;
 }
 
 // Transforms are often a little later than the image that they belong to. It waits for them here, where

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <array>
 #include <chrono>
 #include <mutex>
 #include <optional>
@@ -53,7 +54,8 @@ class FrameProcessor {
   FrameSegmenter segmenter_;
   PlaneLocator locator_;
   bool tracing_outlines_ = true;
-  std::optional<std::chrono::steady_clock::time_point> unknown_since_;  // frames that tf has told nothing of
+  // Of each lookup, if tf tells nothing of its frames.
+  std::array<std::optional<std::chrono::steady_clock::time_point>, CameraPlaces::kCount> unknown_since_;
 
   FrameWorker worker_;  // last: its thread uses all of the above
 };

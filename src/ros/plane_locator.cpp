@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "plane_locator.h"
 
+#include <algorithm>
+
 namespace line_plane_segmentation {
 namespace {
 
@@ -10,10 +12,9 @@ constexpr double kLongestPause = 60.0;  // [s]
 }  // namespace
 
 bool CameraPlaces::has(TransformLookup::Answer answer) const {
-  for (const TransformLookup* lookup : {&target, &gravity, &fixed}) {
-    if (lookup->answer == answer) return true;
-  }
-  return false;
+  const std::array lookups = all();
+  return std::any_of(lookups.begin(), lookups.end(),
+                     [answer](const TransformLookup* lookup) { return lookup->answer == answer; });
 }
 
 void PlaneLocator::setParameters(const LocationParameters& parameters) {

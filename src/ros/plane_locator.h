@@ -5,6 +5,8 @@
 #include <tf2/buffer_core.h>
 
 #include <Eigen/Geometry>
+#include <array>
+#include <cstddef>
 #include <optional>
 
 #include "line_plane_segmentation/camera_intrinsics.h"
@@ -22,12 +24,10 @@ struct CameraPlaces {
   TransformLookup gravity;
   TransformLookup fixed;
 
-  /// Something is missing that may still come.
-  bool isLate() const { return has(TransformLookup::Answer::kLate); }
+  static constexpr std::size_t kCount = 3;
+  std::array<const TransformLookup*, kCount> all() const { return {&target, &gravity, &fixed}; }
 
-  /// Something is missing of which tf has told nothing so far, and perhaps never will.
-  bool isUnknown() const { return has(TransformLookup::Answer::kUnknown); }
-
+  /// Whether that is the answer to any of the lookups.
   bool has(TransformLookup::Answer answer) const;
 };
 

@@ -183,12 +183,12 @@ TEST(PatchClusterer, LooksAtClutterMoreCloselyBesidePlanesOnly) {
   EXPECT_GE(fine, 4);
 }
 
-/// Part of a cylinder about the vertical, of radius 0.22 m, 1.6 m away, in the middle of the picture.
+/// Part of a cylinder about the vertical, of radius 0.39 m, 1.6 m away, in the middle of the picture.
 DepthImage cylinder() {
   DepthImage depth = blankDepth(kWidth, kHeight);
-  const double radius = 0.22, distance = 1.82;
-  for (int v = 90; v < 140; ++v) {
-    for (int u = 145; u < 175; ++u) {
+  const double radius = 0.39, distance = 1.99;
+  for (int v = 80; v < 150; ++v) {
+    for (int u = 140; u < 180; ++u) {
       const double x = kRays.x[static_cast<std::size_t>(u)];
       const double p = distance / (1.0 + x * x), q = (distance * distance - radius * radius) / (1.0 + x * x);
       depth.z[depth.index(u, v)] = static_cast<float>(p - std::sqrt(std::max(0.0, p * p - q)));
@@ -199,8 +199,6 @@ DepthImage cylinder() {
 
 TEST(PatchClusterer, TakesNoCylinderForAPlane) {
   Parameters parameters = adaptiveParameters(kWidth);
-  parameters.scanlines.scanline_spacing = 8;  // 24 patches on it: with half of them its bend is in doubt
-  parameters.scanlines.fine_spacing = 4;
   const DepthImage depth = cylinder();
   const Clusters strict(depth, parameters);
   EXPECT_EQ(strict.at(160, 115), -1);

@@ -80,18 +80,19 @@ class RecordedQuality : public testing::Test {
   PlaneSegmenter segmenter_;
 };
 
-/// The frames as a mirror, a camera upside down and both would have shown them: the same planes, but other
-/// pixels where the scanlines cross. What is found in all of them does not hang on a lucky few.
+/// The frames mirrored left to right, top to bottom, and both, as a camera upside down has them: the same
+/// planes, but other pixels where the scanlines cross. What is found in all of them does not hang on a lucky
+/// few.
 std::vector<RecordedFrame> mirrored(const std::vector<RecordedFrame>& frames) {
-  constexpr int kUpsideDown = 0, kLeftRight = 1, kBoth = -1;  // as cv::flip() has it
+  constexpr int kTopBottom = 0, kLeftRight = 1, kBoth = -1;  // as cv::flip() has it
   std::vector<RecordedFrame> result;
   for (const RecordedFrame& frame : frames) {
-    for (const int axes : {kUpsideDown, kLeftRight, kBoth}) {
+    for (const int axes : {kTopBottom, kLeftRight, kBoth}) {
       RecordedFrame mirror{frame.description, {}, {}};
       cv::flip(frame.depth, mirror.depth, axes);
       cv::flip(frame.truth, mirror.truth, axes);
       CameraIntrinsics& camera = mirror.description.camera;
-      if (axes != kUpsideDown) camera.cx = frame.depth.cols - 1 - camera.cx;
+      if (axes != kTopBottom) camera.cx = frame.depth.cols - 1 - camera.cx;
       if (axes != kLeftRight) camera.cy = frame.depth.rows - 1 - camera.cy;
       result.push_back(mirror);
     }

@@ -65,8 +65,8 @@ class Locator : public testing::Test {
 
 TEST_F(Locator, asksTfForNothingByItself) {
   const PublishedPlanes& published = look(100.0, 0.0);
-  EXPECT_FALSE(places_.isLate());
-  EXPECT_FALSE(places_.isUnknown());
+  EXPECT_FALSE(places_.has(TransformLookup::Answer::kLate));
+  EXPECT_FALSE(places_.has(TransformLookup::Answer::kUnknown));
   EXPECT_EQ("camera", published.header.frame_id);
   EXPECT_TRUE(published.placement.isApprox(Eigen::Isometry3d::Identity()));
   for (const PublishedPlane& plane : published.planes) EXPECT_EQ(Orientation::kUnknown, plane.orientation);
@@ -99,8 +99,8 @@ TEST_F(Locator, knowsFloorsFromWallsByGravity) {
 TEST_F(Locator, goesOnWithoutGravity) {
   parameters_.frames.gravity_frame = parameters_.frames.fixed_frame = "world";
   const PublishedPlanes& published = look(100.0, 0.0);
-  EXPECT_FALSE(places_.isLate()) << "it would be waited for, forever and in vain";
-  EXPECT_TRUE(places_.isUnknown());
+  EXPECT_FALSE(places_.has(TransformLookup::Answer::kLate)) << "it would be waited for, forever and in vain";
+  EXPECT_TRUE(places_.has(TransformLookup::Answer::kUnknown));
   ASSERT_EQ(3U, published.planes.size());
   for (const PublishedPlane& plane : published.planes) EXPECT_EQ(Orientation::kUnknown, plane.orientation);
 }
@@ -112,9 +112,9 @@ TEST_F(Locator, saysWhatIsLate) {
     parameters_ = {};
     parameters_.frames.*frame = "world";
     look(100.0, 0.0);
-    EXPECT_FALSE(places_.isLate());
+    EXPECT_FALSE(places_.has(TransformLookup::Answer::kLate));
     look(100.1, 0.0);
-    EXPECT_TRUE(places_.isLate());
+    EXPECT_TRUE(places_.has(TransformLookup::Answer::kLate));
   }
 }
 

@@ -74,6 +74,22 @@ TEST_F(SegmentBag, AnswersEachImageWithItsStamp) {
   }
 }
 
+// The first transform comes after the first image.
+TEST_F(SegmentBag, ReadsOnForTransformsThatComeLater) {
+  {
+    rosbag::Bag bag(in(), rosbag::bagmode::Write);
+    for (int i = 0; i < 3; ++i) {
+      bag.write(kDepth, recordingTime(i), wallImage(i));
+      bag.write("/camera/depth/camera_info", recordingTime(i), wallInfo(i));
+      bag.write("/tf", recordingTime(i) + ros::Duration(0.02), placeInWorld(i));
+    }
+  }
+  ASSERT_EQ(run({"--set", "target_frame=world"}).exit_code, 0);
+  const auto messages = readAll<PlaneArray>(out());
+  ASSERT_EQ(messages.at(kPlanes).size(), 3U);
+  for (const auto& planes : messages.at(kPlanes)) EXPECT_EQ(planes->header.frame_id, "world");
+}
+
 TEST_F(SegmentBag, WritesOnRequestAllThatTheNodeletPublishesAndTheInput) {
   writeWallBag(in(), 2);
   {

@@ -6,6 +6,7 @@
 #include <rosbag/view.h>
 #include <sensor_msgs/CameraInfo.h>
 #include <sensor_msgs/Image.h>
+#include <tf2_msgs/TFMessage.h>
 
 #include <cstdint>
 #include <filesystem>
@@ -51,6 +52,18 @@ inline sensor_msgs::CameraInfo wallInfo(int i) {
   info.K = {131.25, 0, 79.5, 0, 131.25, 59.5, 0, 0, 1};
   info.P = {131.25, 0, 79.5, 0, 0, 131.25, 59.5, 0, 0, 0, 1, 0};
   return info;
+}
+
+/// The transform of a camera that stands at the world's origin.
+inline tf2_msgs::TFMessage placeInWorld(int i) {
+  geometry_msgs::TransformStamped place;
+  place.header.stamp = stampOf(i);
+  place.header.frame_id = "world";
+  place.child_frame_id = kBagFrame;
+  place.transform.rotation.w = 1.0;
+  tf2_msgs::TFMessage message;
+  message.transforms.push_back(place);
+  return message;
 }
 
 /// A bag of `frames` pictures of a wall on /camera/depth/image_raw.
