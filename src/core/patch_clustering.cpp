@@ -187,11 +187,15 @@ void PatchClusterer::partAtSteps(const PatchLevels& levels, const ClusterParamet
   const std::size_t coarse = levels.coarse.patches.size(), planes = clusters.size();
   outliers_.assign(planes, PatchCluster{});
   outlier_of_.assign(cluster_of.size(), -1);
+  int most = 0;
   for (std::size_t i = 0; i < coarse; ++i) {
     if (untrimmed_[i] < 0 || cluster_of[i] >= 0) continue;
     outlier_of_[i] = untrimmed_[i];
-    outliers_[static_cast<std::size_t>(untrimmed_[i])].moments += levels.coarse.patches[i].moments;
+    PatchCluster& sums = outliers_[static_cast<std::size_t>(untrimmed_[i])];
+    sums.moments += levels.coarse.patches[i].moments;
+    most = std::max(most, ++sums.patches);
   }
+  if (most < kMinStepPatches) return;
   for (PatchCluster& sums : outliers_) sums.squared_error = sums.moments.fit(sums.plane);
   // Others, elsewhere along the plane's border, are no part of it.
   for (int round = 0; round < 2; ++round) trim(levels, parameters.min_patches, outliers_, outlier_of_);

@@ -52,17 +52,14 @@ void FrameProcessor::applyParameters() {
 
 // When tf has just begun, or a bag begins again, the first transforms come about when the first image does.
 bool FrameProcessor::mayCome(const CameraPlaces& places) {
+  using Answer = TransformLookup::Answer;
   const std::array lookups = places.all();
   const Clock::time_point now = Clock::now();
-  bool may_come = places.has(TransformLookup::Answer::kLate);
+  bool may_come = places.has(Answer::kLate);
   for (std::size_t i = 0; i < lookups.size(); ++i) {
     std::optional<Clock::time_point>& since = unknown_since_[i];
-    if (lookups[i]->answer != TransformLookup::Answer::kUnknown) {
-      since.reset();
-      continue;
-    }
-    if (!since) since = now;
-    may_come |= now - *since < kUnknownForGood;
+    since = lookups[i]->answer == Answer::kUnknown ? since.value_or(now) : std::optional<Clock::time_point>();
+    may_come |= since && now - *since < kUnknownForGood;
   }
   return may_come;
 }

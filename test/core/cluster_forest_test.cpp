@@ -77,6 +77,26 @@ TEST(ClusterForest, MergesTheNeighborsThatLieInOnePlane) {
   EXPECT_NE(forest.find(0), forest.find(2)) << "pairs are forgotten";
 }
 
+// Two patches that become alike when one of them has grown.
+TEST(ClusterForest, WaitsForPairsThatAreDearAtFirst) {
+  int dear = 0;
+  for (std::uint64_t seed = 1; seed <= 300; ++seed) {
+    Random random(seed);
+    ClusterForest forest;
+    for (const double x : {0.0, 0.1, 0.2}) forest.add(patchOn({0.0, 0.0, 1.0}, x, 0.0, random), 0.1);
+    ClusterForest grown = forest;
+    grown.merge(0, 1);
+    const double limit = 1.01 * grown.costOf(0, 2), before = forest.costOf(0, 2);
+    if (before < limit || before > 4.0 * limit || forest.costOf(0, 1) > limit) continue;
+    forest.addPair(0, 2);
+    forest.addPair(0, 1);
+    forest.mergePairs(limit, {1.0, 1.0});
+    EXPECT_EQ(forest.find(0), forest.find(2)) << before / limit;
+    ++dear;
+  }
+  EXPECT_GT(dear, 5);
+}
+
 TEST(ClusterForest, CanBeCleared) {
   ClusterForest forest = fourPatches();
   forest.addPair(0, 1);
