@@ -6,7 +6,13 @@
 // compiled once.
 #if defined(__x86_64__) && defined(__linux__) && defined(__GNUC__) && !defined(__clang__) && \
     !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__) && !defined(LPS_SCALAR_ONLY)
-#define LPS_MULTIVERSION __attribute__((target_clones("arch=skylake-avx512", "avx2", "default")))
+// AVX-512. Compilers before GCC 12 know it by the names of Intel's processors only.
+#if __GNUC__ >= 12
+#define LPS_WIDEST "arch=x86-64-v4"
+#else
+#define LPS_WIDEST "arch=skylake-avx512"
+#endif
+#define LPS_MULTIVERSION __attribute__((target_clones(LPS_WIDEST, "avx2", "default")))
 #else
 #define LPS_MULTIVERSION
 #endif
