@@ -26,31 +26,43 @@ class RegionCleaner {
   int clusterOf(int label) const { return order_[static_cast<std::size_t>(label - 1)] - 1; }
 
  private:
-  /// A border that a small piece shares with large ones of one label.
+  /// A connected piece of one label.
+  struct Piece {
+    std::uint16_t label = 0;
+    std::uint16_t heir = 0;  ///< what most of its border touches, or 0; of a small piece
+    bool is_small = false;   ///< it may go to its heir
+    int pixels = 0;
+    int lead = 0;              ///< of the heir while it is voted for
+    int border = 0, held = 0;  ///< [px] that it shares with large pieces, and of them with the heir
+    double error = 0.0;        ///< its pixels' errors to the heir's plane, in tolerances
+  };
+  /// Two runs with depths and of different labels, one above the other.
+  struct Border {
+    int above, below;
+  };
+  /// Pixels of a small piece that touch a large one.
   struct Contact {
-    std::uint16_t label;
+    int piece;
+    std::uint16_t label;  ///< of the large one
     int length;
-    int next;  ///< another contact of the same piece, or -1
   };
 
   int find(int run);
   void connect(const LabelRuns& image);
-  void markSmall(int min_region_pixels, const LabelRuns& image);
-  void addContact(int piece, std::uint16_t label, int length);
+  void listPieces(int min_region_pixels, const LabelRuns& image);
   void findContacts(const DepthImage& depth, const Parameters& parameters, const LabelRuns& image);
-  std::uint16_t mostTouched(int piece) const;
-  void chooseLabels(const DepthImage& depth, const ViewRays& rays, const std::vector<PatchCluster>& clusters,
+  void chooseHeirs();
+  void dropFarHeirs(const DepthImage& depth, const ViewRays& rays, const std::vector<PatchCluster>& clusters,
                     const Parameters& parameters, const LabelRuns& image);
-  int renumber(int min_plane_inliers, int label_count, LabelRuns& image);
+  int renumber(int min_plane_inliers, int label_count);
 
-  std::vector<int> parent_;             // of each run
-  std::vector<int> pixels_;             // of the piece, at its root
-  std::vector<std::uint8_t> is_small_;  // of each run, whether its piece is
-  std::vector<int> first_contact_;      // of the piece, at its root
+  std::vector<int> piece_of_;  // of each run; before the pieces are listed, another run of the piece
+  std::vector<Piece> pieces_;  // the first one is of all pixels without depth
+  std::vector<Border> borders_;
+  std::size_t border_count_ = 0;
   std::vector<Contact> contacts_;
-  std::vector<std::uint16_t> new_label_;  // of the piece, at its root; then of each label
-  std::vector<double> error_;             // of the piece off the plane around it, at its root
   std::vector<int> label_pixels_, order_;
+  std::vector<std::uint16_t> new_label_;  // of each label
 };
 
 }  // namespace line_plane_segmentation

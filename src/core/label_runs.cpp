@@ -54,12 +54,14 @@ void LabelRuns::join() {
   for (std::size_t row = 0; row + 1 < row_begin.size(); ++row) {
     const std::size_t begin = row_begin[row], end = row_begin[row + 1];
     row_begin[row] = kept;
+    LabelRun joined{};
     for (std::size_t i = begin; i < end; ++i) {
-      if (i > begin && runs[kept - 1].label == runs[i].label) {
-        runs[kept - 1].last = runs[i].last;
-      } else {
-        runs[kept++] = runs[i];
-      }
+      // Without a branch: whether neighbours have come to be alike is hard to predict.
+      const LabelRun& run = runs[i];
+      const bool is_more = (i > begin) & (run.label == joined.label);
+      joined = {run.row, is_more ? joined.first : run.first, run.last, run.label};
+      kept += is_more ? 0 : 1;
+      runs[kept - 1] = joined;
     }
   }
   runs.resize(kept);

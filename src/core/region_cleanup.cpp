@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
+#include <numeric>
 
 namespace line_plane_segmentation {
 namespace {
@@ -15,12 +17,16 @@ constexpr double kMaxMeanError =
 constexpr int kMaxGapRegions = 8;  // [-] in min_region_pixels; a larger piece in no plane stays in none
 constexpr double kMaxStep = 1.0;   // [-] in tolerances along the ray; neighbours farther apart do not touch
 
-// How many of two rows' pixels lie at the same depth, within the tolerance.
+// How many of two rows' pixels lie at the same depth: their inverse depths differ by less than the tolerance
+// of the farther one. Multiplied by both depths and by the farther one, that takes no division.
 int countTouching(const float* z, const float* other, int count, const DepthTolerance& tolerance) {
   int touching = 0;
   for (int i = 0; i < count; ++i) {
-    const double w = 1.0 / static_cast<double>(z[i]), w_other = 1.0 / static_cast<double>(other[i]);
-    touching += std::fabs(w - w_other) < tolerance.along(std::min(w, w_other)) ? 1 : 0;
+    const double near = static_cast<double>(std::min(z[i], other[i]));
+    const double far = static_cast<double>(std::max(z[i], other[i]));
+    const double beyond = far - tolerance.noise.nearest;
+    const double noise = tolerance.noise.floor + tolerance.noise.growth * beyond * beyond;
+    touching += (far - near) * far < tolerance.noise_factor * noise * near ? 1 : 0;
   }
   return touching;
 }
@@ -28,99 +34,144 @@ int countTouching(const float* z, const float* other, int count, const DepthTole
 }  // namespace
 
 int RegionCleaner::find(int run) {
-  while (parent_[static_cast<std::size_t>(run)] != run) {
-    int& parent = parent_[static_cast<std::size_t>(run)];
-    parent = parent_[static_cast<std::size_t>(parent)];
+  while (piece_of_[static_cast<std::size_t>(run)] != run) {
+    int& parent = piece_of_[static_cast<std::size_t>(run)];
+    parent = piece_of_[static_cast<std::size_t>(parent)];
     run = parent;
   }
   return run;
 }
 
+// Hangs runs of one label that touch under the first of them, and lists the borders between labels.
 void RegionCleaner::connect(const LabelRuns& image) {
-  parent_.resize(image.runs.size());
-  for (std::size_t i = 0; i < parent_.size(); ++i) parent_[i] = static_cast<int>(i);
+  const std::size_t count = image.runs.size();
+  piece_of_.resize(count);
+  std::iota(piece_of_.begin(), piece_of_.end(), 0);
+  if (borders_.size() < 2 * count) borders_.resize(2 * count);  // each contact is the last of a run
+  border_count_ = 0;
   forEachVerticalContact(image, [&](std::size_t above, std::size_t below, int) {
-    if (image.runs[above].label != image.runs[below].label) return;
+    const std::uint16_t label = image.runs[above].label, label_below = image.runs[below].label;
+    const bool have_depth = std::max(label, label_below) != kNoDepthLabel;
+    // All are stored and the right ones counted, without a branch.
+    borders_[border_count_] = {static_cast<int>(above), static_cast<int>(below)};
+    border_count_ += static_cast<std::size_t>((label != label_below) & have_depth);
+    if (label != label_below || !have_depth) return;
     const int a = find(static_cast<int>(above)), b = find(static_cast<int>(below));
-    parent_[static_cast<std::size_t>(std::max(a, b))] = std::min(a, b);
+    piece_of_[static_cast<std::size_t>(std::max(a, b))] = std::min(a, b);
   });
-  pixels_.assign(parent_.size(), 0);
-  for (std::size_t i = 0; i < parent_.size(); ++i) {
-    parent_[i] = find(static_cast<int>(i));
-    pixels_[static_cast<std::size_t>(parent_[i])] += image.runs[i].pixels();
+}
+
+void RegionCleaner::listPieces(int min_region_pixels, const LabelRuns& image) {
+  pieces_.assign(1, Piece{});
+  for (std::size_t i = 0; i < piece_of_.size(); ++i) {
+    const LabelRun& run = image.runs[i];
+    // A run hangs under an earlier one, whose piece is known, or is the first of a piece.
+    int& piece = piece_of_[i];
+    const bool is_first = piece == static_cast<int>(i);
+    piece = run.label == kNoDepthLabel ? 0 : piece_of_[static_cast<std::size_t>(piece)];
+    if ((run.label != kNoDepthLabel) & is_first) {
+      piece = static_cast<int>(pieces_.size());
+      pieces_.emplace_back();
+      pieces_.back().label = run.label;
+    }
+    pieces_[static_cast<std::size_t>(piece)].pixels += run.pixels();
+  }
+  pieces_.front().label = kNoDepthLabel;
+  for (std::size_t i = 1; i < pieces_.size(); ++i) {
+    const int bound = pieces_[i].label == 0 ? kMaxGapRegions * min_region_pixels : min_region_pixels;
+    pieces_[i].is_small = pieces_[i].pixels < bound;
   }
 }
 
-// Which runs are of a piece so small that it may go to what surrounds it.
-void RegionCleaner::markSmall(int min_region_pixels, const LabelRuns& image) {
-  is_small_.resize(image.runs.size());
-  for (std::size_t i = 0; i < is_small_.size(); ++i) {
-    const std::uint16_t label = image.runs[i].label;
-    const int bound = label == 0 ? kMaxGapRegions * min_region_pixels : min_region_pixels;
-    const bool is_small = pixels_[static_cast<std::size_t>(parent_[i])] < bound;
-    is_small_[i] = (label != kNoDepthLabel) & is_small ? 1 : 0;
-  }
-}
-
-void RegionCleaner::addContact(int piece, std::uint16_t label, int length) {
-  int& first = first_contact_[static_cast<std::size_t>(piece)];
-  for (int i = first; i >= 0; i = contacts_[static_cast<std::size_t>(i)].next) {
-    if (contacts_[static_cast<std::size_t>(i)].label != label) continue;
-    contacts_[static_cast<std::size_t>(i)].length += length;
-    return;
-  }
-  contacts_.push_back({label, length, first});
-  first = static_cast<int>(contacts_.size()) - 1;
-}
-
-// What the small pieces touch, as lengths of border; where there is a step in depth they touch label 0.
+// Where small pieces touch large ones.
 void RegionCleaner::findContacts(const DepthImage& depth, const Parameters& parameters,
                                  const LabelRuns& image) {
   contacts_.clear();
-  first_contact_.assign(parent_.size(), -1);
   const DepthTolerance tolerance{parameters.noise, kMaxStep * parameters.extraction.distance_noise_factor};
   // Pixels of run i from column `first_i` on, and their neighbours of run j.
   const auto meet = [&](std::size_t i, std::size_t j, int first_i, int first_j, int length) {
-    if (is_small_[i] == is_small_[j]) return;
     const LabelRun &a = image.runs[i], &b = image.runs[j];
-    if (a.label == kNoDepthLabel || b.label == kNoDepthLabel) return;
-    const bool a_is_small = is_small_[i] != 0;
+    const bool a_is_small = pieces_[static_cast<std::size_t>(piece_of_[i])].is_small;
     const int touching =
         countTouching(depth.row(a.row) + first_i, depth.row(b.row) + first_j, length, tolerance);
-    const int piece = parent_[a_is_small ? i : j];
-    if (touching > 0) addContact(piece, a_is_small ? b.label : a.label, touching);
-    if (touching < length) addContact(piece, 0, length - touching);
+    const int piece = piece_of_[a_is_small ? i : j];
+    pieces_[static_cast<std::size_t>(piece)].border += length;
+    contacts_.push_back({piece, a_is_small ? b.label : a.label, touching});
   };
-  forEachVerticalContact(image, [&](std::size_t above, std::size_t below, int length) {
-    const int first = std::max(image.runs[above].first, image.runs[below].first);
-    meet(above, below, first, first, length);
-  });
-  for (std::size_t i = 1; i < image.runs.size(); ++i) {
-    const int first = image.runs[i].first;
-    if (image.runs[i].row == image.runs[i - 1].row) meet(i - 1, i, first - 1, first, 1);
+  const auto isSmall = [this](std::size_t run) {
+    return pieces_[static_cast<std::size_t>(piece_of_[run])].is_small;
+  };
+  for (std::size_t k = 0; k < border_count_; ++k) {
+    const std::size_t above = static_cast<std::size_t>(borders_[k].above);
+    const std::size_t below = static_cast<std::size_t>(borders_[k].below);
+    if (isSmall(above) == isSmall(below)) continue;
+    const LabelRun &a = image.runs[above], &b = image.runs[below];
+    const int first = std::max(a.first, b.first), last = std::min(a.last, b.last);
+    meet(above, below, first, first, last - first);
+  }
+  bool left_is_small = false;
+  for (std::size_t i = 0; i < image.runs.size(); ++i) {
+    const bool is_small = isSmall(i), changes = is_small != left_is_small;
+    left_is_small = is_small;
+    if (!changes || i == 0) continue;
+    const LabelRun &left = image.runs[i - 1], &run = image.runs[i];
+    if (left.row != run.row || std::max(left.label, run.label) == kNoDepthLabel) continue;
+    meet(i - 1, i, run.first - 1, run.first, 1);
   }
 }
 
-// The label that holds more than half of a small piece's border, or 0: no plane.
-std::uint16_t RegionCleaner::mostTouched(int piece) const {
-  int longest = 0, total = 0;
-  std::uint16_t label = 0;
-  for (int i = first_contact_[static_cast<std::size_t>(piece)]; i >= 0;) {
-    const Contact& contact = contacts_[static_cast<std::size_t>(i)];
-    total += contact.length;
-    if (contact.length > longest) {
-      longest = contact.length;
-      label = contact.label;
+// The label that more than half of a small piece's border touches, or 0: no plane. What lies behind a step
+// touches nothing.
+void RegionCleaner::chooseHeirs() {
+  // Boyer and Moore's vote: a label that has more than half leads in the end.
+  for (const Contact& contact : contacts_) {
+    Piece& piece = pieces_[static_cast<std::size_t>(contact.piece)];
+    const int lead = contact.label == piece.heir ? piece.lead + contact.length : piece.lead - contact.length;
+    piece.heir = lead < 0 ? contact.label : piece.heir;
+    piece.lead = std::abs(lead);
+  }
+  for (const Contact& contact : contacts_) {
+    Piece& piece = pieces_[static_cast<std::size_t>(contact.piece)];
+    piece.held += contact.label == piece.heir ? contact.length : 0;
+  }
+  for (Piece& piece : pieces_) {
+    if (2 * piece.held <= piece.border) piece.heir = 0;
+  }
+}
+
+// A small piece goes to its heir only if its pixels lie near that plane.
+void RegionCleaner::dropFarHeirs(const DepthImage& depth, const ViewRays& rays,
+                                 const std::vector<PatchCluster>& clusters, const Parameters& parameters,
+                                 const LabelRuns& image) {
+  const NoiseParameters& noise = parameters.noise;
+  const double factor = parameters.extraction.distance_noise_factor;
+  for (std::size_t i = 0; i < image.runs.size(); ++i) {
+    Piece& piece = pieces_[static_cast<std::size_t>(piece_of_[i])];
+    if (piece.heir == 0) continue;
+    const LabelRun& run = image.runs[i];
+    const InverseDepthPlane& plane = clusters[piece.heir - 1U].plane;
+    const double y = rays.y[static_cast<std::size_t>(run.row)];
+    const double across = parameters.extraction.plane_distance * plane.inverseDistance();
+    const float* z_of = depth.row(run.row);
+    for (int u = run.first; u < run.last; ++u) {
+      // The error in inverse depth over DepthTolerance::at(), both times z², which leaves one division.
+      const double z = z_of[u], beyond = z - noise.nearest;
+      const double expected = plane.at(rays.x[static_cast<std::size_t>(u)], y);
+      const double tolerance = std::max(factor * (noise.floor + noise.growth * beyond * beyond), across * z);
+      piece.error += std::fabs(z - z * z * expected) / tolerance;
     }
-    i = contact.next;
   }
-  return 2 * longest > total ? label : std::uint16_t{0};
+  for (Piece& piece : pieces_) {
+    if (piece.error > kMaxMeanError * piece.pixels) piece.heir = 0;
+  }
 }
 
-int RegionCleaner::renumber(int min_plane_inliers, int label_count, LabelRuns& image) {
+// What the pieces come to, by their new labels; then those of the planes that are left.
+int RegionCleaner::renumber(int min_plane_inliers, int label_count) {
   label_pixels_.assign(static_cast<std::size_t>(label_count) + 1, 0);
-  for (const LabelRun& run : image.runs) {
-    if (run.label != kNoDepthLabel) label_pixels_[run.label] += run.pixels();
+  for (Piece& piece : pieces_) {
+    if (piece.is_small) piece.label = piece.heir;
+    if (piece.label != kNoDepthLabel) label_pixels_[piece.label] += piece.pixels;
   }
   order_.clear();
   for (int label = 1; label <= label_count; ++label) {
@@ -136,52 +187,25 @@ int RegionCleaner::renumber(int min_plane_inliers, int label_count, LabelRuns& i
   for (std::size_t i = 0; i < order_.size(); ++i) {
     new_label_[static_cast<std::size_t>(order_[i])] = static_cast<std::uint16_t>(i + 1);
   }
-  for (LabelRun& run : image.runs) {
-    if (run.label != kNoDepthLabel) run.label = new_label_[run.label];
+  for (Piece& piece : pieces_) {
+    if (piece.label != kNoDepthLabel) piece.label = new_label_[piece.label];
   }
   return static_cast<int>(order_.size());
-}
-
-// Each small piece's new label: what most of its border touches, if its pixels lie near that plane.
-void RegionCleaner::chooseLabels(const DepthImage& depth, const ViewRays& rays,
-                                 const std::vector<PatchCluster>& clusters, const Parameters& parameters,
-                                 const LabelRuns& image) {
-  const DepthTolerance tolerance{parameters.noise, parameters.extraction.distance_noise_factor,
-                                 parameters.extraction.plane_distance};
-  new_label_.assign(image.runs.size(), 0);
-  error_.assign(image.runs.size(), 0.0);
-  for (std::size_t i = 0; i < image.runs.size(); ++i) {
-    if (is_small_[i] == 0) continue;
-    const LabelRun& run = image.runs[i];
-    const std::size_t piece = static_cast<std::size_t>(parent_[i]);
-    if (piece == i) new_label_[piece] = mostTouched(parent_[i]);  // its first run
-    if (new_label_[piece] == 0) continue;
-    const InverseDepthPlane& plane = clusters[new_label_[piece] - 1U].plane;
-    const double inverse_distance = plane.inverseDistance(), y = rays.y[static_cast<std::size_t>(run.row)];
-    const float* z = depth.row(run.row);
-    for (int u = run.first; u < run.last; ++u) {
-      const double w = 1.0 / static_cast<double>(z[u]);
-      const double expected = plane.at(rays.x[static_cast<std::size_t>(u)], y);
-      error_[piece] += std::fabs(w - expected) / tolerance.at(w, inverse_distance);
-    }
-  }
-  for (std::size_t piece = 0; piece < image.runs.size(); ++piece) {
-    if (error_[piece] > kMaxMeanError * pixels_[piece]) new_label_[piece] = 0;
-  }
 }
 
 int RegionCleaner::clean(const DepthImage& depth, const ViewRays& rays,
                          const std::vector<PatchCluster>& clusters, const Parameters& parameters,
                          LabelRuns& image) {
   connect(image);
-  markSmall(parameters.cleanup.min_region_pixels, image);
+  listPieces(parameters.cleanup.min_region_pixels, image);
   findContacts(depth, parameters, image);
-  chooseLabels(depth, rays, clusters, parameters, image);
-  for (std::size_t i = 0; i < image.runs.size(); ++i) {
-    if (is_small_[i] != 0) image.runs[i].label = new_label_[static_cast<std::size_t>(parent_[i])];
-  }
+  chooseHeirs();
+  dropFarHeirs(depth, rays, clusters, parameters, image);
   const int plane_count =
-      renumber(parameters.extraction.min_plane_inliers, static_cast<int>(clusters.size()), image);
+      renumber(parameters.extraction.min_plane_inliers, static_cast<int>(clusters.size()));
+  for (std::size_t i = 0; i < image.runs.size(); ++i) {
+    image.runs[i].label = pieces_[static_cast<std::size_t>(piece_of_[i])].label;
+  }
   image.join();
   return plane_count;
 }
