@@ -7,6 +7,7 @@
 #include "line_plane_segmentation/camera_intrinsics.h"
 #include "line_plane_segmentation/depth_image.h"
 #include "line_plane_segmentation/label_runs.h"
+#include "line_plane_segmentation/pixel_sums.h"
 #include "line_plane_segmentation/plane_estimate.h"
 #include "line_plane_segmentation/plane_fit.h"
 #include "line_plane_segmentation/segmentation.h"
@@ -32,14 +33,12 @@ class PlaneMeasurement {
                const std::vector<std::optional<PlaneEstimate>>& estimates = {});
 
  private:
-  struct Sums {
-    PointMoments moments;
-    double cubed_depth = 0.0;  // [m³]
-  };
-
   void sumLabels(const DepthImage& depth, const ViewRays& rays, int label_count, const LabelRuns& image);
 
-  std::vector<Sums> sums_;
+  std::vector<PixelSums> sums_;  // of each label
+  // The rays' x and the last row of depths, both with room behind them for addRun() to read.
+  std::vector<double> ray_x_;
+  std::vector<float> last_row_;
   std::vector<std::uint16_t> new_label_;
 };
 

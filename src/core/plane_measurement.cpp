@@ -20,25 +20,36 @@ PlaneEstimate fittedPlane(const PlaneFit& fit, const PointMoments& moments) {
   return {fit.normal, fit.d, fit.covariance(moments, sigma)};
 }
 
+double total(const PixelSums::Lanes& lanes) { return (lanes[0] + lanes[1]) + (lanes[2] + lanes[3]); }
+
+PointMoments momentsOf(const PixelSums& sums) {
+  PointMoments moments;
+  moments.count = sums.pixels;
+  moments.sum << total(sums.zx), total(sums.zy), total(sums.z);
+  const double zzx = total(sums.zzx), zzy = total(sums.zzy), zzxy = total(sums.zzxy);
+  moments.outer << total(sums.zzxx), zzxy, zzx,  //
+      zzxy, total(sums.zzyy), zzy,               //
+      zzx, zzy, total(sums.zz);
+  return moments;
+}
+
 }  // namespace
 
 void PlaneMeasurement::sumLabels(const DepthImage& depth, const ViewRays& rays, int label_count,
                                  const LabelRuns& image) {
-  sums_.assign(static_cast<std::size_t>(label_count) + 1, Sums{});
+  sums_.assign(static_cast<std::size_t>(label_count) + 1, PixelSums{});
+  if (image.runs.empty()) return;
+  const int last = depth.height - 1;
+  const std::size_t padded = rays.x.size() + PixelSums::kLanes;
+  ray_x_.assign(padded, 0.0);
+  std::copy(rays.x.begin(), rays.x.end(), ray_x_.begin());
+  last_row_.assign(padded, 0.0F);
+  std::copy_n(depth.row(last), depth.width, last_row_.begin());
   for (const LabelRun& run : image.runs) {
     if (run.label == 0 || run.label == kNoDepthLabel) continue;
-    const RunSums s = sumRun(depth.row(run.row) + run.first, rays.x.data() + run.first, run.pixels());
-    const double y = rays.y[static_cast<std::size_t>(run.row)];
-    // A point is z (x, y, 1), and y is the same along the row.
-    Sums& sums = sums_[run.label];
-    sums.moments.count += run.pixels();
-    sums.moments.sum += Eigen::Vector3d(s.zx, y * s.z, s.z);
-    Eigen::Matrix3d outer;
-    outer << s.zzxx, y * s.zzx, s.zzx,      //
-        y * s.zzx, y * y * s.zz, y * s.zz,  //
-        s.zzx, y * s.zz, s.zz;
-    sums.moments.outer += outer;
-    sums.cubed_depth += s.zzz;
+    const float* const z = run.row < last ? depth.row(run.row) : last_row_.data();
+    addRun(z + run.first, ray_x_.data() + run.first, rays.y[static_cast<std::size_t>(run.row)], run.pixels(),
+           sums_[run.label]);
   }
 }
 
@@ -50,7 +61,7 @@ void PlaneMeasurement::measure(const DepthImage& depth, const ViewRays& rays, co
   segmentation.assigned_pixels = 0;
   new_label_.assign(sums_.size(), 0);
   for (std::size_t label = 1; label < sums_.size(); ++label) {
-    const PointMoments& moments = sums_[label].moments;
+    const PointMoments moments = momentsOf(sums_[label]);
     PlaneFit fit;
     if (!fitPlane(moments, fit)) continue;
     const PlaneEstimate estimate = estimates.empty()
@@ -61,7 +72,7 @@ void PlaneMeasurement::measure(const DepthImage& depth, const ViewRays& rays, co
     if (!(estimate.d > edge_on && -estimate.normal.dot(fit.centroid) > edge_on)) continue;
     // A pixel of depth z covers z² / (fx fy) facing the camera, and on the plane, seen under the angle whose
     // cosine is d / (z |ray|) there, z³ / (d fx fy).
-    const double area = sums_[label].cubed_depth / (estimate.d * camera.fx * camera.fy);
+    const double area = total(sums_[label].zzz) / (estimate.d * camera.fx * camera.fy);
     if (!(area >= min_area)) continue;
     SegmentedPlane plane;
     plane.label = static_cast<std::uint16_t>(segmentation.planes.size() + 1);

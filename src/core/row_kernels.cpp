@@ -120,35 +120,55 @@ void assignIfBetter(const float* __restrict z, const float* __restrict depth_ove
   }
 }
 
+// The compiler makes single steps of a loop over lanes, so these are vectors by name.
 LPS_MULTIVERSION
-RunSums sumRun(const float* z, const float* x, int count) {
-  constexpr int kLanes = 4;
-  double sum_z[kLanes] = {}, sum_zx[kLanes] = {}, sum_zz[kLanes] = {}, sum_zzx[kLanes] = {},
-         sum_zzxx[kLanes] = {}, sum_zzz[kLanes] = {};
-  const auto add = [&](int lane, int i) {
-    const double depth = z[i], ray = x[i], square = depth * depth, square_ray = square * ray;
-    sum_z[lane] += depth;
-    sum_zx[lane] += depth * ray;
-    sum_zz[lane] += square;
-    sum_zzx[lane] += square_ray;
-    sum_zzxx[lane] += square_ray * ray;
-    sum_zzz[lane] += square * depth;
+void addRun(const float* z, const double* x, double y, int count, PixelSums& sums) {
+  constexpr int kLanes = PixelSums::kLanes;
+  using Depths __attribute__((vector_size(kLanes * sizeof(float)))) = float;
+  using Lanes __attribute__((vector_size(kLanes * sizeof(double)))) = double;
+  static constexpr std::array<float, 2 * kLanes> kKept = {1.0F, 1.0F, 1.0F, 1.0F};
+
+  Lanes sum_z{}, sum_zx{}, sum_zz{}, sum_zzx{}, sum_zzxx{}, sum_zzz{};
+  // Pixels from i on, those of a depth 0 being none.
+  const auto add = [&](const Depths& depths, int i) {
+    Lanes ray;
+    std::memcpy(&ray, x + i, sizeof(ray));
+    const Lanes depth = {depths[0], depths[1], depths[2], depths[3]};
+    const Lanes square = depth * depth, square_ray = square * ray;
+    sum_z += depth;
+    sum_zx += depth * ray;
+    sum_zz += square;
+    sum_zzx += square_ray;
+    sum_zzxx += square_ray * ray;
+    sum_zzz += square * depth;
   };
+  Depths depths, kept;
   int i = 0;
   for (; i + kLanes <= count; i += kLanes) {
-    for (int lane = 0; lane < kLanes; ++lane) add(lane, i + lane);
+    std::memcpy(&depths, z + i, sizeof(depths));
+    add(depths, i);
   }
-  for (int lane = 0; i < count; ++i, ++lane) add(lane, i);
-  RunSums sums{};
-  for (int lane = 0; lane < kLanes; ++lane) {
-    sums.z += sum_z[lane];
-    sums.zx += sum_zx[lane];
-    sums.zz += sum_zz[lane];
-    sums.zzx += sum_zzx[lane];
-    sums.zzxx += sum_zzxx[lane];
-    sums.zzz += sum_zzz[lane];
-  }
-  return sums;
+  std::memcpy(&depths, z + i, sizeof(depths));
+  std::memcpy(&kept, kKept.data() + kLanes - (count - i), sizeof(kept));
+  add(depths * kept, i);
+
+  const auto addTo = [](PixelSums::Lanes& sum, const Lanes& more) {
+    Lanes lanes;
+    std::memcpy(&lanes, sum.data(), sizeof(lanes));
+    lanes += more;
+    std::memcpy(sum.data(), &lanes, sizeof(lanes));
+  };
+  addTo(sums.z, sum_z);
+  addTo(sums.zx, sum_zx);
+  addTo(sums.zy, y * sum_z);
+  addTo(sums.zz, sum_zz);
+  addTo(sums.zzx, sum_zzx);
+  addTo(sums.zzy, y * sum_zz);
+  addTo(sums.zzxx, sum_zzxx);
+  addTo(sums.zzxy, y * sum_zzx);
+  addTo(sums.zzyy, y * y * sum_zz);
+  addTo(sums.zzz, sum_zzz);
+  sums.pixels += count;
 }
 
 }  // namespace line_plane_segmentation

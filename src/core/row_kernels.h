@@ -3,6 +3,8 @@
 
 #include <cstdint>
 
+#include "line_plane_segmentation/pixel_sums.h"
+
 /// The loops over the pixels of a row that all the time goes into, nearly all of them simple enough for the
 /// compiler to vectorise.
 namespace line_plane_segmentation {
@@ -77,12 +79,8 @@ struct RowOfPlane {
 void assignIfBetter(const float* z, const float* depth_over_noise, const float* x, int count,
                     const RowOfPlane& plane, float* best, std::uint16_t* label);
 
-/// Sums over a run of pixels of depth z on rays (x, y, 1) with one y.
-struct RunSums {
-  double z, zx, zz, zzx, zzxx, zzz;
-};
-
-/// The order of summation is fixed: the same bits on every machine.
-RunSums sumRun(const float* z, const float* x, int count);
+/// Adds a run of `count` pixels of one row. The order of summation is fixed: the same bits on every machine.
+/// @param z, x  followed by kLanes more numbers, which are read and, being finite, do not matter
+void addRun(const float* z, const double* x, double y, int count, PixelSums& sums);
 
 }  // namespace line_plane_segmentation

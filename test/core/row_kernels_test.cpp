@@ -6,6 +6,7 @@
 
 #include <Eigen/Core>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstring>
 #include <vector>
@@ -253,31 +254,37 @@ TEST_F(RowKernels, PrepareAndAssign) {
   });
 }
 
-TEST_F(RowKernels, SumRun) {
+double total(const PixelSums::Lanes& lanes) { return lanes[0] + lanes[1] + lanes[2] + lanes[3]; }
+
+TEST_F(RowKernels, AddRun) {
+  PixelSums sums, twin;
+  std::array<double, 10> expected{};
+  double pixels = 0.0;
   forManyRows([&](const Row& row) {
-    const RunSums sums = sumRun(row.z(), row.x(), row.count),
-                  twin = scalar::sumRun(row.z(), row.x(), row.count);
+    // What lies behind the run is read, but not added.
+    std::vector<float> z(row.z(), row.z() + row.count);
+    std::vector<double> x(row.x(), row.x() + row.count);
+    z.resize(z.size() + PixelSums::kLanes, 99.0F);
+    x.resize(x.size() + PixelSums::kLanes, 99.0);
+    const double y = static_cast<double>(row.y);
+    addRun(z.data(), x.data(), y, row.count, sums);
+    scalar::addRun(z.data(), x.data(), y, row.count, twin);
     ASSERT_EQ(std::memcmp(&sums, &twin, sizeof sums), 0);
-    RunSums expected{};
+    pixels += row.count;
     for (int i = 0; i < row.count; ++i) {
-      const double z = row.depth(i), x = static_cast<double>(row.x()[i]);
-      expected.z += z;
-      expected.zx += z * x;
-      expected.zz += z * z;
-      expected.zzx += z * z * x;
-      expected.zzxx += z * z * x * x;
-      expected.zzz += z * z * z;
+      const Eigen::Vector3d p = row.point(i);
+      const std::array<double, 10> of_pixel = {
+          p.z(),         p.x(),         p.y(),         p.z() * p.z(), p.z() * p.x(),
+          p.z() * p.y(), p.x() * p.x(), p.x() * p.y(), p.y() * p.y(), p.z() * p.z() * p.z()};
+      for (std::size_t k = 0; k < expected.size(); ++k) expected[k] += of_pixel[k];
     }
-    ASSERT_NEAR(sums.z, expected.z, 1e-9);
-    ASSERT_NEAR(sums.zx, expected.zx, 1e-9);
-    ASSERT_NEAR(sums.zz, expected.zz, 1e-9);
-    ASSERT_NEAR(sums.zzx, expected.zzx, 1e-9);
-    ASSERT_NEAR(sums.zzxx, expected.zzxx, 1e-9);
-    ASSERT_NEAR(sums.zzz, expected.zzz, 1e-9);
   });
-  const RunSums none = sumRun(nullptr, nullptr, 0);
-  EXPECT_EQ(none.z, 0.0);
-  EXPECT_EQ(none.zzz, 0.0);
+  EXPECT_EQ(sums.pixels, pixels);
+  const std::array<double, 10> totals = {
+      total(sums.z),   total(sums.zx),   total(sums.zy),   total(sums.zz),   total(sums.zzx),
+      total(sums.zzy), total(sums.zzxx), total(sums.zzxy), total(sums.zzyy), total(sums.zzz)};
+  for (std::size_t k = 0; k < expected.size(); ++k)
+    EXPECT_NEAR(totals[k], expected[k], 1e-9 * (1.0 + std::abs(expected[k]))) << k;
 }
 
 }  // namespace

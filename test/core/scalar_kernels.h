@@ -17,7 +17,7 @@ decltype(::line_plane_segmentation::countDepths) countDepths;
 decltype(::line_plane_segmentation::markChanges) markChanges;
 decltype(::line_plane_segmentation::prepareRow) prepareRow;
 decltype(::line_plane_segmentation::assignIfBetter) assignIfBetter;
-decltype(::line_plane_segmentation::sumRun) sumRun;
+decltype(::line_plane_segmentation::addRun) addRun;
 decltype(::line_plane_segmentation::addPixels) addPixels;
 decltype(::line_plane_segmentation::fitCrossings) fitCrossings;
 
