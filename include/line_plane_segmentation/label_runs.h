@@ -55,7 +55,8 @@ void LabelRuns::joinOverSpeckles(int max_pixels, Predicate&& isLike) {
   const std::size_t begin = row_begin[row_begin.size() - 2];
   std::size_t kept = begin;
   for (std::size_t i = begin; i < runs.size(); ++i) {
-    runs[kept++] = runs[i];
+    if (kept != i) runs[kept] = runs[i];
+    ++kept;
     if (kept < begin + 3) continue;
     LabelRun& before = runs[kept - 3];
     const LabelRun &speckle = runs[kept - 2], &after = runs[kept - 1];

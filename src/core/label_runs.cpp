@@ -8,12 +8,6 @@
 #include "row_kernels.h"
 
 namespace line_plane_segmentation {
-namespace {
-
-constexpr std::size_t kPadding =
-    8;  // the 7 marks that appendMarked() reads behind a row, and its spare column
-
-}  // namespace
 
 void LabelRuns::clear() {
   runs.clear();
@@ -22,23 +16,30 @@ void LabelRuns::clear() {
 
 void LabelRuns::addRow(const std::uint16_t* labels, int width) {
   const int row = static_cast<int>(row_begin.size()) - 1;
-  const std::size_t padded = static_cast<std::size_t>(width) + kPadding;
-  if (changes_.size() != padded) {
-    changes_.assign(padded, 0);
-    columns_.resize(padded);
+  const std::size_t columns = static_cast<std::size_t>(width);
+  if (columns_.size() != columns + kSpareColumns) {
+    columns_.resize(columns + kSpareColumns);
+    changes_.assign(columns + kMarkBlock, 0);
   }
   markChanges(labels, width, changes_.data());
-  const int* const end = appendMarked(changes_.data(), 0, width, columns_.data());
+  const int* const end = appendMarked(changes_.data(), width, columns_.data());
   // Grown by a quarter and not to twice the size: a cluttered VGA image has 100,000 runs, which are most of
   // the memory.
   const std::size_t needed = runs.size() + static_cast<std::size_t>(end - columns_.data()) + 1;
   if (needed > runs.capacity()) runs.reserve(needed + runs.size() / 4);
+  LabelRun* run = runs.data() + runs.size();
+  runs.resize(needed);
   int first = 0;
-  for (const int* column = columns_.data(); column != end; ++column) {
-    runs.push_back({row, first, *column, labels[first]});
-    first = *column;
-  }
-  runs.push_back({row, first, width, labels[first]});
+  const auto add = [&](int last) {
+    run->row = row;
+    run->first = first;
+    run->last = last;
+    run->label = labels[first];
+    ++run;
+    first = last;
+  };
+  for (const int* column = columns_.data(); column != end; ++column) add(*column);
+  add(width);
   row_begin.push_back(runs.size());
 }
 
@@ -70,7 +71,7 @@ void LabelRuns::join() {
 
 // Most runs are short: each is written in whole blocks, whose excess the next run overwrites.
 void LabelRuns::write(std::vector<std::uint16_t>& labels, int width) const {
-  constexpr std::ptrdiff_t kBlock = 8;
+  constexpr std::ptrdiff_t kBlock = 32;
   std::uint16_t* const end = labels.data() + labels.size();
   for (const LabelRun& run : runs) {
     std::uint16_t* row = labels.data() + static_cast<std::size_t>(run.row) * static_cast<std::size_t>(width);

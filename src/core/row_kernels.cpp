@@ -69,26 +69,26 @@ void markChanges(const std::uint16_t* __restrict labels, int count, std::uint8_t
   for (int i = 1; i < count; ++i) changes[i] = static_cast<std::uint8_t>(labels[i] != labels[i - 1]);
 }
 
-// Branches that depend on the picture are mispredicted half of the time. So columns are collected by
-// storing all and counting the right ones.
-int* appendMarked(const std::uint8_t* marks, int begin, int end, int* columns) {
+// Branches that depend on the picture are mispredicted half of the time. So a few columns of each block are
+// stored whether they are marked or not, which is mostly enough, and the marked ones are counted.
+LPS_MULTIVERSION
+int* appendMarked(const std::uint8_t* marks, int count, int* columns) {
   using Word = std::uint64_t;
-  constexpr int kStep = sizeof(Word), kWords = 8;
-  std::array<int, kWords> marked_words;
-  for (int first = begin; first < end; first += kWords * kStep) {
-    std::size_t count = 0;
-    for (int x = first; x < std::min(end, first + kWords * kStep); x += kStep) {
+  constexpr int kMarks = sizeof(Word), kMostly = kSpareColumns;
+  constexpr Word kLast = Word{1} << (kMarkBlock - 1);
+  for (int first = 0; first < count; first += kMarkBlock) {
+    Word bits = 0;
+    for (int i = 0; i < kMarkBlock; i += kMarks) {
       Word word;
-      std::memcpy(&word, marks + x, sizeof(word));
-      marked_words[count] = x;
-      count += word != 0 ? 1 : 0;
+      std::memcpy(&word, marks + first + i, sizeof(word));
+      // Each mark is multiplied into a bit of the highest byte.
+      bits |= word * 0x0102040810204080 >> (kMarkBlock - kMarks) << i;
     }
-    for (std::size_t k = 0; k < count; ++k) {
-      for (int i = marked_words[k]; i < marked_words[k] + kStep; ++i) {
-        *columns = i;
-        columns += marks[i];
-      }
-    }
+    int* const end = columns + __builtin_popcountll(bits);
+    for (int k = 0; k < kMostly; ++k, bits &= bits - 1) columns[k] = first + __builtin_ctzll(bits | kLast);
+    for (int* next = columns + kMostly; next < end; ++next, bits &= bits - 1)
+      *next = first + __builtin_ctzll(bits);
+    columns = end;
   }
   return columns;
 }

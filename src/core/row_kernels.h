@@ -47,11 +47,13 @@ int countDepths(const float* z, int count);
 /// changes[i] = 1 where labels[i] differs from labels[i - 1], else 0; changes[0] = 0.
 void markChanges(const std::uint16_t* labels, int count, std::uint8_t* changes);
 
-/// Appends to `columns` the i from begin to end - 1 where marks[i] is 1, in order; the others are 0. Up to
-/// seven marks from `end` on are read, and must be 0.
-/// @param columns  with room for one more than there are marks
+constexpr int kMarkBlock = 64;    ///< so many marks are read at a time
+constexpr int kSpareColumns = 4;  ///< so many columns may be written behind the last one
+
+/// Appends to `columns` the i from 0 to count - 1 where marks[i] is 1, in order; the others are 0, also those
+/// behind them up to a whole number of blocks.
 /// @return the end of what was appended
-int* appendMarked(const std::uint8_t* marks, int begin, int end, int* columns);
+int* appendMarked(const std::uint8_t* marks, int count, int* columns);
 
 /// The noise model times a factor: floor and growth are multiplied by it.
 struct RowNoise {

@@ -185,19 +185,20 @@ TEST_F(RowKernels, MarkChanges) {
 
 TEST_F(RowKernels, AppendMarked) {
   forManyRows([&](const Row& row) {
-    std::vector<std::uint8_t> marks(static_cast<std::size_t>(row.count) + 7, 0);
+    std::vector<std::uint8_t> marks(static_cast<std::size_t>(row.count) + kMarkBlock, 0);
     const double share = random_.uniform(0.0, 1.0) * random_.uniform(0.0, 1.0);
-    for (int i = 0; i < row.count; ++i) marks[static_cast<std::size_t>(i)] = random_.chance(share) ? 1 : 0;
-    const int begin = random_.integer(0, row.count);
     std::vector<int> expected = {-1};  // what is there already stays
-    for (int i = begin; i < row.count; ++i) {
+    for (int i = 0; i < row.count; ++i) {
+      marks[static_cast<std::size_t>(i)] = random_.chance(share) ? 1 : 0;
       if (marks[static_cast<std::size_t>(i)] != 0) expected.push_back(i);
     }
-    std::vector<int> columns(expected.size() + 1, -1);
-    const int* const end = appendMarked(marks.data(), begin, row.count, columns.data() + 1);
-    ASSERT_EQ(end - columns.data(), static_cast<std::ptrdiff_t>(expected.size()));
-    columns.resize(expected.size());
-    ASSERT_EQ(columns, expected);
+    for (const auto append : {appendMarked, scalar::appendMarked}) {
+      std::vector<int> columns(expected.size() + kSpareColumns, -1);
+      const int* const end = append(marks.data(), row.count, columns.data() + 1);
+      ASSERT_EQ(end - columns.data(), static_cast<std::ptrdiff_t>(expected.size()));
+      columns.resize(expected.size());
+      ASSERT_EQ(columns, expected);
+    }
   });
 }
 
