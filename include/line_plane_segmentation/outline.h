@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "line_plane_segmentation/camera_intrinsics.h"
+#include "line_plane_segmentation/label_runs.h"
 #include "line_plane_segmentation/parameters.h"
 #include "line_plane_segmentation/segmentation.h"
 
@@ -41,6 +42,10 @@ class OutlineTracer {
   /// are switched off, if the camera is invalid or the labels do not fill the image, or it is larger than
   /// 2^28 pixels; a plane has none if the camera does not see its front.
   void trace(const CameraIntrinsics& camera, const OutlineParameters& parameters, Segmentation& segmentation);
+
+  /// The same for who has the runs that the labels were written from; saves looking for them.
+  void trace(const CameraIntrinsics& camera, const OutlineParameters& parameters, const LabelRuns& runs,
+             Segmentation& segmentation);
 
  private:
   struct Scratch;

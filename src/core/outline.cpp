@@ -26,6 +26,7 @@ struct OutlineTracer::Scratch {
   void addRings(const Border* begin, const Border* end, const PlaneProjection& projection, double tolerance,
                 SegmentedPlane& plane, Segmentation& segmentation);
 
+  LabelRuns runs;
   BorderFollower follower;
   BorderSimplifier simplifier;
   std::vector<Eigen::Vector2d> ring;
@@ -59,6 +60,15 @@ OutlineTracer::~OutlineTracer() = default;
 
 void OutlineTracer::trace(const CameraIntrinsics& camera, const OutlineParameters& parameters,
                           Segmentation& segmentation) {
+  LabelRuns& runs = scratch_->runs;
+  runs.clear();
+  if (parameters.trace_outlines && canTrace(camera, segmentation))
+    runs.scan(segmentation.labels, segmentation.width, segmentation.height);
+  trace(camera, parameters, runs, segmentation);
+}
+
+void OutlineTracer::trace(const CameraIntrinsics& camera, const OutlineParameters& parameters,
+                          const LabelRuns& runs, Segmentation& segmentation) {
   segmentation.rings.clear();
   segmentation.vertices.clear();
   for (SegmentedPlane& plane : segmentation.planes) {
@@ -69,7 +79,7 @@ void OutlineTracer::trace(const CameraIntrinsics& camera, const OutlineParameter
   Scratch& s = *scratch_;
   const int width = segmentation.width, height = segmentation.height;
   const int label_count = static_cast<int>(segmentation.planes.size());
-  s.follower.follow(segmentation.labels.data(), width, height, label_count, parameters.min_hole_pixels);
+  s.follower.follow(segmentation.labels.data(), runs, width, height, label_count, parameters.min_hole_pixels);
   s.simplifier.reset(segmentation.labels.data(), width, height);
 
   const std::vector<Border>& borders = s.follower.borders();

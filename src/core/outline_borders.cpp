@@ -5,39 +5,12 @@
 #include <array>
 #include <cstdlib>
 
-#include "multiversion.h"
-#include "row_kernels.h"
-
 namespace line_plane_segmentation {
 namespace {
-
-constexpr int kStretch = 64;  ///< [px] part of a row that is skipped if it is the same as above
 
 /// What may start at the upper left corner of a pixel.
 constexpr std::uint8_t kConvex = 1;  ///< the border that turns round this pixel
 constexpr std::uint8_t kReflex = 2;  ///< the border that turns round the three others, which have one label
-
-LPS_MULTIVERSION
-void compareStretches(const std::uint16_t* row, const std::uint16_t* above, int stretches,
-                      std::uint16_t* differences) {
-  for (int stretch = 0; stretch < stretches; ++stretch) {
-    std::uint16_t difference = 0;
-    for (int i = stretch * kStretch; i < (stretch + 1) * kStretch; ++i) {
-      difference = static_cast<std::uint16_t>(difference | (row[i] ^ above[i]));
-    }
-    differences[stretch] = difference;
-  }
-}
-
-/// marks[i] = 1 where a pixel differs from its left and its upper neighbour: a part's first pixel does, and a
-/// hole's.
-LPS_MULTIVERSION
-void markStarts(const std::uint16_t* row, const std::uint16_t* above, int begin, int end,
-                std::uint8_t* marks) {
-  for (int i = begin; i < end; ++i) {
-    marks[i] = static_cast<std::uint8_t>((row[i] != row[i - 1]) & (row[i] != above[i]));
-  }
-}
 
 /// A straight piece of a border, up to its next turn.
 struct Run {
@@ -67,8 +40,8 @@ bool comesBefore(const Border& a, const Border& b) {
 
 }  // namespace
 
-void BorderFollower::follow(const std::uint16_t* labels, int width, int height, int label_count,
-                            std::int64_t min_area) {
+void BorderFollower::follow(const std::uint16_t* labels, const LabelRuns& runs, int width, int height,
+                            int label_count, std::int64_t min_area) {
   labels_ = labels;
   width_ = width;
   height_ = height;
@@ -77,29 +50,22 @@ void BorderFollower::follow(const std::uint16_t* labels, int width, int height, 
   borders_.clear();
   largest_.assign(static_cast<std::size_t>(label_count) + 1, 0);
   seen_.assign(pixelAt(width, height) / kSeenInByte + 1, 0);
-  row_above_image_.assign(static_cast<std::size_t>(width), 0);
-  differences_.resize(static_cast<std::size_t>(width / kStretch + 1));
-  starts_.resize(static_cast<std::size_t>(width + kStretch));
-  marks_.assign(static_cast<std::size_t>(width + kStretch), 0);
 
   const auto is_label = [label_count](int value) {
     return static_cast<unsigned>(value - 1) < static_cast<unsigned>(label_count);
   };
-  for (int y = 0; y < height; ++y) {
-    const std::uint16_t* const row = labels + pixelAt(0, y);
-    const std::uint16_t* const above = y > 0 ? row - width : row_above_image_.data();
-    const std::size_t count = findStarts(row, above);
-    for (std::size_t i = 0; i < count; ++i) {
-      const int x = starts_[i];
-      const int left = std::max(x - 1, 0);
-      const std::uint16_t around = above[x];
-      const bool is_reflex = (around == row[left]) & (around == above[left]) & is_label(around);
-      const int kinds = (is_label(row[x]) ? kConvex : 0) | (is_reflex ? kReflex : 0);
-      const std::size_t pixel = pixelAt(x, y);
-      if ((kinds & ~seenAt(pixel)) == 0) continue;
-      if ((kinds & ~seenAt(pixel) & kConvex) != 0) followFrom(x, y, kDown);
-      if ((kinds & ~seenAt(pixel) & kReflex) != 0) followFrom(x, y, kRight);
-    }
+  for (const LabelRun& run : runs.runs) {
+    // A part's first pixel differs from its left and its upper neighbour, and so does a hole's.
+    const int x = run.first, y = run.row;
+    const std::uint16_t* const here = labels + pixelAt(x, y);
+    const std::uint16_t above = y > 0 ? here[-width] : std::uint16_t{0};
+    if (*here == above) continue;
+    const bool is_reflex = x > 0 && is_label(above) && here[-1] == above && here[-width - 1] == above;
+    const int kinds = (is_label(*here) ? kConvex : 0) | (is_reflex ? kReflex : 0);
+    const std::size_t pixel = pixelAt(x, y);
+    if ((kinds & ~seenAt(pixel)) == 0) continue;
+    if ((kinds & ~seenAt(pixel) & kConvex) != 0) followFrom(x, y, kDown);
+    if ((kinds & ~seenAt(pixel) & kReflex) != 0) followFrom(x, y, kRight);
   }
   // Small parts that were the largest of their label only until a larger one was met.
   const auto is_left_out = [this](const Border& b) {
@@ -107,23 +73,6 @@ void BorderFollower::follow(const std::uint16_t* labels, int width, int height, 
   };
   borders_.erase(std::remove_if(borders_.begin(), borders_.end(), is_left_out), borders_.end());
   std::sort(borders_.begin(), borders_.end(), comesBefore);
-}
-
-std::size_t BorderFollower::findStarts(const std::uint16_t* row, const std::uint16_t* above) {
-  const int stretches = width_ / kStretch;
-  compareStretches(row, above, stretches, differences_.data());
-  differences_[static_cast<std::size_t>(stretches)] = 1;  // what is left of the row is always looked at
-  int* const begin = starts_.data();
-  int* end = begin;
-  *end = 0;
-  end += row[0] != above[0] ? 1 : 0;
-  for (int stretch = 0; stretch <= stretches; ++stretch) {
-    if (differences_[static_cast<std::size_t>(stretch)] == 0) continue;
-    const int first = stretch * kStretch, last = std::min(first + kStretch, width_);
-    markStarts(row, above, std::max(first, 1), last, marks_.data());
-    end = appendMarked(marks_.data(), first, last, end);
-  }
-  return static_cast<std::size_t>(end - begin);
 }
 
 /// Follows a border round from a corner where it sets out in the given direction.

@@ -5,6 +5,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "line_plane_segmentation/label_runs.h"
+
 namespace line_plane_segmentation {
 
 /// A corner where four pixels meet: (x, y) is the upper left corner of pixel (x, y), so it lies at
@@ -21,7 +23,8 @@ struct Border {
   std::size_t count = 0;  ///< its corners, all turns; after the last one comes the first once more
 };
 
-/// Finds the borders of all labels in one pass over a label image, and follows each from crack to crack.
+/// Finds the borders of all labels in one pass over the runs of a label image, and follows each from crack to
+/// crack.
 ///
 /// Parts are 4-connected, so holes are 8-connected: where two pixels of a label touch only at a corner, the
 /// border turns round each of them and passes that corner twice. The labelled pixels are on the left hand
@@ -32,7 +35,9 @@ class BorderFollower {
   /// Follows the borders of labels 1 to `label_count`; larger ones count as no label. Left out are borders
   /// that enclose fewer than `min_area` pixels; of each label the largest part is always there.
   /// Time and memory are linear in the number of pixels.
-  void follow(const std::uint16_t* labels, int width, int height, int label_count, std::int64_t min_area);
+  /// @param runs  the labels as runs; neighbours in a row may have the same label
+  void follow(const std::uint16_t* labels, const LabelRuns& runs, int width, int height, int label_count,
+              std::int64_t min_area);
 
   const std::vector<Corner>& corners() const { return corners_; }
 
@@ -42,7 +47,6 @@ class BorderFollower {
  private:
   enum Direction : unsigned { kDown, kRight, kUp, kLeft };
 
-  std::size_t findStarts(const std::uint16_t* row, const std::uint16_t* above);
   void followFrom(int x, int y, Direction direction);
   std::size_t pixelAt(int x, int y) const {
     return static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(x);
@@ -65,10 +69,6 @@ class BorderFollower {
   std::vector<std::int64_t> largest_;  // area of the largest part so far, by label
   // Which of the borders that may start at a pixel's upper left corner were followed.
   std::vector<std::uint8_t> seen_;
-  // Of one row: columns where borders may start, and what they are found with.
-  std::vector<int> starts_;
-  std::vector<std::uint8_t> marks_;
-  std::vector<std::uint16_t> differences_, row_above_image_;
 };
 
 }  // namespace line_plane_segmentation

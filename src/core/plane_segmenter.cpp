@@ -177,7 +177,7 @@ const Segmentation& PlaneSegmenter::segment(const DepthView& view, const CameraI
                         s.result, s.estimates);
   s.runs.write(s.result.labels, view.width);
   stage_observer.stageFinished(Stage::kRefinement);
-  s.outlines.trace(camera, s.resolved.outlines, s.result);
+  s.outlines.trace(camera, s.resolved.outlines, s.runs, s.result);
   stage_observer.stageFinished(Stage::kOutlines);
   return s.result;
 }

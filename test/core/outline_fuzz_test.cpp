@@ -136,6 +136,24 @@ TEST_P(OutlineFuzzTest, BordersStayWithinTheTolerance) {
   }
 }
 
+// Pixels without a depth and those of no plane are other runs, but have one label in the image.
+TEST_P(OutlineFuzzTest, AreTheSameFromTheRunsOfTheLabels) {
+  for (std::uint64_t seed = 0; seed < 50; ++seed) {
+    ASSERT_NO_FATAL_FAILURE(trace(seed, 56));
+    Random random(seed);
+    std::vector<std::uint16_t> labels = segmentation_.labels;
+    for (std::uint16_t& label : labels) label = label == 0 && random.chance(0.3) ? kNoDepthLabel : label;
+    LabelRuns runs;
+    runs.scan(labels, segmentation_.width, segmentation_.height);
+    Segmentation from_runs = segmentation_;
+    tracer_.trace(camera_, parameters_, runs, from_runs);
+    ASSERT_EQ(from_runs.vertices, segmentation_.vertices) << seed;
+    ASSERT_EQ(from_runs.rings.size(), segmentation_.rings.size()) << seed;
+    for (std::size_t k = 0; k < from_runs.planes.size(); ++k)
+      ASSERT_EQ(from_runs.planes[k].hole_count, segmentation_.planes[k].hole_count) << caseOf(seed, k);
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(Pictures, OutlineFuzzTest, testing::ValuesIn(kAllOutlinePictures),
                          [](const auto& picture) { return nameOf(picture.param); });
 
