@@ -36,7 +36,7 @@ class PixelAssigner {
 
   void findSpans(const Tiles& tiles, int row, int width, std::vector<Span>& spans);
   void assignSpans(const std::vector<Span>& spans, const std::vector<PatchCluster>& clusters, const float* z,
-                   const ViewRays& rays, double y, double plane_distance);
+                   const ViewRays& rays, double y);
 
   /// The line where two planes meet, in columns first to last - 1: in the row with the ray y it is at the
   /// column offset + y * per_y, and up to `reach` columns from there the planes are alike.
@@ -56,8 +56,9 @@ class PixelAssigner {
   std::vector<Span> spans_, fine_spans_;  // of the rows of tiles that the image's row lies in
   std::vector<Meeting> meetings_;
   Creases creases_;
-  std::vector<int> fine_cluster_;  // of each fine crossing, or -1
-  std::vector<int> open_span_;     // of each cluster, in the row of the grid being looked at; -1 if none
+  std::vector<float> inverse_across_;  // of each cluster, as in RowOfPlane
+  std::vector<int> fine_cluster_;      // of each fine crossing, or -1
+  std::vector<int> open_span_;         // of each cluster, in the row of the grid being looked at; -1 if none
   // One row of the image.
   std::vector<float> depth_over_noise_, best_;
   std::vector<std::uint16_t> label_;

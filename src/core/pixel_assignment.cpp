@@ -46,11 +46,11 @@ void PixelAssigner::findSpans(const Tiles& tiles, int row, int width, std::vecto
 }
 
 void PixelAssigner::assignSpans(const std::vector<Span>& spans, const std::vector<PatchCluster>& clusters,
-                                const float* z, const ViewRays& rays, double y, double plane_distance) {
+                                const float* z, const ViewRays& rays, double y) {
   for (const Span& span : spans) {
     const InverseDepthPlane& plane = clusters[static_cast<std::size_t>(span.cluster)].plane;
     const RowOfPlane row{static_cast<float>(plane.a), static_cast<float>(plane.b * y + plane.c),
-                         static_cast<float>(1.0 / (plane_distance * plane.inverseDistance())),
+                         inverse_across_[static_cast<std::size_t>(span.cluster)],
                          static_cast<std::uint16_t>(span.cluster + 1)};
     assignIfBetter(z + span.first, depth_over_noise_.data() + span.first, rays.x.data() + span.first,
                    span.last - span.first, row, best_.data() + span.first, label_.data() + span.first);
@@ -144,7 +144,11 @@ void PixelAssigner::assign(const DepthImage& depth, const ViewRays& rays, const 
   }
   const Tiles coarse{levels.coarse.spacing, levels.coarse.columns, levels.coarse.rows, cluster_of.data()};
   const Tiles fine{levels.fine.spacing, levels.fine.columns, levels.fine.rows, fine_cluster_.data()};
-  const double plane_distance = parameters.extraction.plane_distance;
+  inverse_across_.clear();
+  for (const PatchCluster& cluster : clusters) {
+    const double across = parameters.extraction.plane_distance * cluster.plane.inverseDistance();
+    inverse_across_.push_back(static_cast<float>(1.0 / across));
+  }
 
   const DepthTolerance crease_tolerance{parameters.noise,
                                         kCreaseReach * parameters.extraction.distance_noise_factor};
@@ -168,8 +172,8 @@ void PixelAssigner::assign(const DepthImage& depth, const ViewRays& rays, const 
     if (are_other_spans) findMeetings(clusters, rays, y, crease_tolerance);
     const float* z = depth.row(v);
     prepareRow(z, depth.width, noise, depth_over_noise_.data(), best_.data(), label_.data());
-    assignSpans(spans_, clusters, z, rays, y, plane_distance);
-    assignSpans(fine_spans_, clusters, z, rays, y, plane_distance);
+    assignSpans(spans_, clusters, z, rays, y);
+    assignSpans(fine_spans_, clusters, z, rays, y);
     partAtCreases(y);
     image.addRow(label_.data(), depth.width);
     image.joinOverSpeckles(kMaxSpeckle,

@@ -110,14 +110,23 @@ LPS_MULTIVERSION
 void assignIfBetter(const float* __restrict z, const float* __restrict depth_over_noise,
                     const float* __restrict x, int count, const RowOfPlane& plane, float* __restrict best,
                     std::uint16_t* __restrict label) {
+  constexpr int kBlock = 16;
   const RowOfPlane p = plane;
-  for (int i = 0; i < count; ++i) {
-    const float inverse = depth_over_noise[i] < p.inverse_across ? depth_over_noise[i] : p.inverse_across;
-    const float error = std::fabs(1.0F - z[i] * (p.slope * x[i] + p.offset)) * inverse;
-    const bool better = error < best[i];
-    best[i] = better ? error : best[i];
-    label[i] = better ? p.label : label[i];
-  }
+  const auto assign = [&](int first, int pixels) {
+    for (int i = first; i < first + pixels; ++i) {
+      const float inverse = depth_over_noise[i] < p.inverse_across ? depth_over_noise[i] : p.inverse_across;
+      const float error = std::fabs(1.0F - z[i] * (p.slope * x[i] + p.offset)) * inverse;
+      const float lowest = best[i];
+      const std::uint16_t before = label[i];
+      best[i] = std::min(error, lowest);
+      label[i] = error < lowest ? p.label : before;
+    }
+  };
+  if (count < kBlock) return assign(0, count);
+  for (int first = 0; first + kBlock <= count; first += kBlock) assign(first, kBlock);
+  // Most rows are short, so what is left would take as long pixel by pixel. The last block lies over the one
+  // before; to ask a pixel a second time changes nothing.
+  assign(count - kBlock, kBlock);
 }
 
 // The compiler makes single steps of a loop over lanes, so these are vectors by name.
