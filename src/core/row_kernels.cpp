@@ -110,7 +110,7 @@ LPS_MULTIVERSION
 void assignIfBetter(const float* __restrict z, const float* __restrict depth_over_noise,
                     const float* __restrict x, int count, const RowOfPlane& plane, float* __restrict best,
                     std::uint16_t* __restrict label) {
-  constexpr int kBlock = 16;
+  constexpr int kBlock = 16, kHalf = kBlock / 2;
   const RowOfPlane p = plane;
   const auto assign = [&](int first, int pixels) {
     for (int i = first; i < first + pixels; ++i) {
@@ -122,7 +122,11 @@ void assignIfBetter(const float* __restrict z, const float* __restrict depth_ove
       label[i] = error < lowest ? p.label : before;
     }
   };
-  if (count < kBlock) return assign(0, count);
+  if (count < kHalf) return assign(0, count);
+  if (count < kBlock) {
+    assign(0, kHalf);
+    return assign(count - kHalf, kHalf);
+  }
   for (int first = 0; first + kBlock <= count; first += kBlock) assign(first, kBlock);
   // Most rows are short, so what is left would take as long pixel by pixel. The last block lies over the one
   // before; to ask a pixel a second time changes nothing.
