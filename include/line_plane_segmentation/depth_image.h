@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include "line_plane_segmentation/camera_intrinsics.h"
@@ -25,7 +26,8 @@ struct DepthImage {
 };
 
 /// Reads a whole view, as loadRow() does, into `image`, whose memory is reused.
-void loadDepth(const DepthView& view, const DepthRange& range, DepthImage& image);
+/// @return how many pixels have a depth
+std::uint32_t loadDepth(const DepthView& view, const DepthRange& range, DepthImage& image);
 
 /// The rays through the pixels: pixel (u, v) of depth z is the point z * (x[u], y[v], 1).
 struct ViewRays {

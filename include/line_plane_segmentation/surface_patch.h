@@ -79,7 +79,7 @@ struct PatchLevels {
 };
 
 /// Stages 1 to 3 of the adaptive method. A window of a scanline is fitted by linear regression in inverse
-/// depth, where the scan of a plane is a straight line too, in constant time from running sums.
+/// depth, where the scan of a plane is a straight line too.
 class PatchDetector {
  public:
   /// @param parameters  resolved for the width of the image
@@ -92,20 +92,19 @@ class PatchDetector {
               const std::vector<std::uint8_t>& explained, PatchLevels& levels);
 
  private:
-  template <typename DepthAt, typename Cell>
-  void sumWindows(const PatchGrid& grid, int lines, int windows, const std::vector<float>& rays,
-                  int half_window, DepthAt&& depthAt, Cell&& cell, WindowSums& sums);
-  void resetLanes(int lanes);
-  void fit(int first, int count, double y, double min_points, const Parameters& parameters);
-  SurfacePatch patchOf(int crossing, int lane, double y);
-  void sumFineRow(const DepthImage& depth, const ViewRays& rays, const FinePatches& fine, int v,
-                  int half_window);
+  void chooseColumns(const ViewRays& rays, int half_window);
+  void sumWindows(const DepthImage& depth, const ViewRays& rays, int v, int half_window);
+  void fit(double y, int half_window, const Parameters& parameters);
+  SurfacePatch patchOf(int lane, double y);
 
-  WindowSums row_sums_, column_sums_;  // of every crossing; of a row of crossings, if fine
-  WindowSums running_;                 // along scanlines, one a lane
-  std::vector<float> z_, t_, x_;       // of each lane a pixel's depth and ray coordinate, and the crossing's
-  CrossingFits fits_;                  // of a row of crossings
-  std::vector<int> fine_columns_;      // of a row of the fine grid, those looked at
+  // Of a row of crossings, one lane a crossing: the image's columns they lie in and the rays there, the sums
+  // of their windows, and what is fitted to these.
+  std::vector<int> columns_;
+  std::vector<float> x_;
+  WindowSums row_sums_, column_sums_;
+  CrossingFits fits_;
+  // Of each pixel of their windows, all first pixels first, depth and ray coordinate along the scanline.
+  std::vector<float> z_, t_, row_t_;
 };
 
 /// The patches as line segments (neighbours along a scanline whose lines go on from one to the next) and

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "line_plane_segmentation/depth_image.h"
 
+#include "row_kernels.h"
+
 namespace line_plane_segmentation {
 namespace {
 
@@ -13,11 +15,16 @@ void computeAxis(double focal_length, double centre, int count, std::vector<floa
 
 }  // namespace
 
-void loadDepth(const DepthView& view, const DepthRange& range, DepthImage& image) {
+std::uint32_t loadDepth(const DepthView& view, const DepthRange& range, DepthImage& image) {
   image.width = view.width;
   image.height = view.height;
   image.z.resize(static_cast<std::size_t>(view.width) * static_cast<std::size_t>(view.height));
-  for (int v = 0; v < view.height; ++v) loadRow(view, v, range, image.row(v));
+  std::uint32_t depths = 0;
+  for (int v = 0; v < view.height; ++v) {
+    loadRow(view, v, range, image.row(v));
+    depths += static_cast<std::uint32_t>(countDepths(image.row(v), image.width));
+  }
+  return depths;
 }
 
 void ViewRays::compute(const CameraIntrinsics& camera, int width, int height) {

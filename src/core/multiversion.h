@@ -17,6 +17,9 @@
 #define LPS_MULTIVERSION
 #endif
 
+// Before a function that those call: it is compiled as part of each version.
+#define LPS_ALWAYS_INLINE inline __attribute__((always_inline))
+
 // Before a loop: what it writes is not what it reads in a later round, which the compiler need not check.
 #if defined(__GNUC__) && !defined(__clang__)
 #define LPS_INDEPENDENT _Pragma("GCC ivdep")

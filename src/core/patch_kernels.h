@@ -8,8 +8,9 @@
 /// vectorise.
 namespace line_plane_segmentation {
 
-/// Adds to each window i a pixel with the ray coordinate t[i], if its z[i] is a depth, that is, not 0.
-void addPixels(const float* z, const float* t, int count, const WindowLanes& sums);
+/// Sums over windows of `pixels` pixels each. Pixel k of window i has the depth z[k * windows + i], or none
+/// if that is 0, and the ray coordinate t[k * windows + i].
+void sumPixels(const float* z, const float* t, int pixels, int windows, const WindowLanes& sums);
 
 /// What makes a crossing planar.
 struct CrossingBounds {

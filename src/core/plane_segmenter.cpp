@@ -16,7 +16,6 @@
 #include "line_plane_segmentation/plane_measurement.h"
 #include "line_plane_segmentation/region_cleanup.h"
 #include "line_plane_segmentation/surface_patch.h"
-#include "row_kernels.h"
 
 namespace line_plane_segmentation {
 namespace {
@@ -37,13 +36,6 @@ class SilentObserver final : public StageObserver {
   void frameStarted() override {}
   void stageFinished(Stage) override {}
 };
-
-std::uint32_t countValid(const DepthImage& depth) {
-  std::uint32_t count = 0;
-  for (int v = 0; v < depth.height; ++v)
-    count += static_cast<std::uint32_t>(countDepths(depth.row(v), depth.width));
-  return count;
-}
 
 }  // namespace
 
@@ -167,9 +159,8 @@ const Segmentation& PlaneSegmenter::segment(const DepthView& view, const CameraI
   s.resolved = resolve(s.parameters, view.width);
   const DepthRange range{static_cast<float>(s.resolved.scanlines.min_range),
                          static_cast<float>(s.resolved.scanlines.max_range)};
-  loadDepth(view, range, s.depth);
+  s.result.valid_pixels = loadDepth(view, range, s.depth);
   s.rays.compute(camera, view.width, view.height);
-  s.result.valid_pixels = countValid(s.depth);
 
   const int label_count = s.resolved.method == Method::kPaper ? s.runPaper(camera, stage_observer)
                                                               : s.runAdaptive(stage_observer);
