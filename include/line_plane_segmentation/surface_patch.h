@@ -105,6 +105,7 @@ class PatchDetector {
   CrossingFits fits_;
   // Of each pixel of their windows, all first pixels first, depth and ray coordinate along the scanline.
   std::vector<float> z_, t_, row_t_;
+  std::vector<float> wide_row_;  // the depths of an image row between margins of half a window without depth
 };
 
 /// The patches as line segments (neighbours along a scanline whose lines go on from one to the next) and

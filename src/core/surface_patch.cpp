@@ -39,16 +39,15 @@ void PatchDetector::chooseColumns(const ViewRays& rays, int half_window) {
 // Sums the windows of the row's crossings. Pixels outside of the image are as without depth.
 void PatchDetector::sumWindows(const DepthImage& depth, const ViewRays& rays, int v, int half_window) {
   const int lanes = static_cast<int>(columns_.size()), steps = 2 * half_window + 1;
-  const std::size_t pixels = static_cast<std::size_t>(lanes) * static_cast<std::size_t>(steps);
-  z_.resize(pixels);
-  t_.resize(pixels);
+  z_.resize(row_t_.size());
+  t_.resize(row_t_.size());
+  const std::size_t width = static_cast<std::size_t>(depth.width),
+                    margin = static_cast<std::size_t>(half_window);
+  wide_row_.assign(width + 2 * margin, 0.0F);
+  std::copy_n(depth.row(v), width, wide_row_.begin() + half_window);
   float* z = z_.data();
-  const float* const row = depth.row(v);
-  for (int k = -half_window; k <= half_window; ++k) {
-    for (const int column : columns_) {
-      const int u = column + k;
-      *z++ = 0 <= u && u < depth.width ? row[u] : 0.0F;
-    }
+  for (const float* first = wide_row_.data(); first != wide_row_.data() + steps; ++first) {
+    for (const int column : columns_) *z++ = first[column];
   }
   sumPixels(z_.data(), row_t_.data(), steps, lanes, lanesFrom(0, row_sums_));
 
@@ -56,8 +55,8 @@ void PatchDetector::sumWindows(const DepthImage& depth, const ViewRays& rays, in
   float* t = t_.data();
   for (int j = v - half_window; j <= v + half_window; ++j) {
     const bool is_inside = 0 <= j && j < depth.height;
-    const float* const other = depth.row(is_inside ? j : v);
-    for (const int column : columns_) *z++ = is_inside ? other[column] : 0.0F;
+    const float* const row = depth.row(is_inside ? j : v);
+    for (const int column : columns_) *z++ = is_inside ? row[column] : 0.0F;
     t = std::fill_n(t, lanes, rays.y[static_cast<std::size_t>(is_inside ? j : v)]);
   }
   sumPixels(z_.data(), t_.data(), steps, lanes, lanesFrom(0, column_sums_));
