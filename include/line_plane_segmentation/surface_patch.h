@@ -48,7 +48,12 @@ struct FinePatches {
   std::vector<SurfacePatch> patches;
   std::vector<int> cells;     ///< of each patch the number of its crossing, row by row
   std::vector<int> patch_at;  ///< of each crossing its patch, or -1
+  /// The column and the row of the coarse grid that the fine grid's columns and rows -1, 0, 1, ... lie in,
+  /// one more at either side than there are.
+  std::vector<int> tile_columns, tile_rows;
 
+  int tileColumn(int column) const { return tile_columns[static_cast<std::size_t>(column + 1)]; }
+  int tileRow(int row) const { return tile_rows[static_cast<std::size_t>(row + 1)]; }
   int pixelOf(int index) const { return spacing / 2 + index * spacing; }
   double shareOfPicture() const { return 1.0 / std::max(1.0, static_cast<double>(columns) * rows); }
   /// -1 also above the first row.

@@ -40,7 +40,9 @@ double ClusterForest::costOf(int a, int b) const {
 void ClusterForest::addPair(int a, int b) {
   const int root_a = find(a), root_b = find(b);
   if (root_a == root_b || cluster(root_a).patches == 0 || cluster(root_b).patches == 0) return;
-  pairs_.push_back({0.0, a, b, 0});
+  Pair& pair = pairs_.emplace_back();
+  pair.a = a;
+  pair.b = b;
 }
 
 // Merges the clusters of a pair if that costs less than the limit.

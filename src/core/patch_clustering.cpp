@@ -124,14 +124,18 @@ void PatchClusterer::addFine(const PatchLevels& levels, double limit) {
   const PatchGrid& coarse = levels.coarse;
   const FinePatches& fine = levels.fine;
   for (const SurfacePatch& patch : fine.patches) forest_.add(patch, fine.shareOfPicture());
-  const int first = levels.firstFine(), step = fine.spacing;
+  const int first = levels.firstFine();
   const double join_limit = kJoinCost * limit;
   for (int i = first; i < levels.count(); ++i) {
-    const int u = levels.u(i), v = levels.v(i), here = coarse.indexAt(u, v);
-    forest_.addPair(i, here);
-    for (const int neighbor : {coarse.indexAt(u - step, v), coarse.indexAt(u + step, v),
-                               coarse.indexAt(u, v - step), coarse.indexAt(u, v + step)}) {
-      if (neighbor != here) forest_.addPair(i, neighbor);
+    const int cell = fine.cells[static_cast<std::size_t>(i - first)];
+    const int c = cell % fine.columns, r = cell / fine.columns;
+    const int column = fine.tileColumn(c), row = fine.tileRow(r);
+    forest_.addPair(i, coarse.indexOf(column, row));
+    for (const int other : {fine.tileColumn(c - 1), fine.tileColumn(c + 1)}) {
+      if (other != column) forest_.addPair(i, coarse.indexOf(other, row));
+    }
+    for (const int other : {fine.tileRow(r - 1), fine.tileRow(r + 1)}) {
+      if (other != row) forest_.addPair(i, coarse.indexOf(column, other));
     }
   }
   forest_.mergePairs(join_limit, {1.0 / 4, 1.0});

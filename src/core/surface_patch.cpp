@@ -16,6 +16,14 @@ int countAlong(int pixels, int spacing) {
   return pixels > spacing / 2 ? (pixels - 1 - spacing / 2) / spacing + 1 : 0;
 }
 
+// Which of the coarse grid's columns, or rows, those of the fine grid lie in, as FinePatches has it.
+void findTiles(const FinePatches& fine, int count, int coarse_spacing, int coarse_count,
+               std::vector<int>& tiles) {
+  tiles.clear();
+  for (int i = -1; i <= count; ++i)
+    tiles.push_back(std::clamp(fine.pixelOf(i) / coarse_spacing, 0, coarse_count - 1));
+}
+
 }  // namespace
 
 // Chooses the image's columns in which crossings of the next rows lie.
@@ -120,15 +128,16 @@ void PatchDetector::refine(const DepthImage& depth, const ViewRays& rays, const 
   // An image smaller than a tile has no coarse patch that could ask for more.
   if (fine.spacing >= coarse.spacing || coarse.patches.empty()) return;
 
+  findTiles(fine, fine.columns, coarse.spacing, coarse.columns, fine.tile_columns);
+  findTiles(fine, fine.rows, coarse.spacing, coarse.rows, fine.tile_rows);
   const int half_window =
       std::max(kMinHalfWindow, parameters.lines.line_window * fine.spacing / coarse.spacing / 2);
   for (int r = 0; r < fine.rows; ++r) {
     const int v = fine.pixelOf(r);
     columns_.clear();
     for (int c = 0; c < fine.columns; ++c) {
-      const int u = fine.pixelOf(c);
-      const std::size_t tile = static_cast<std::size_t>(coarse.indexAt(u, v));
-      if (explained[tile] == 0 && coarse.patches[tile].has_line) columns_.push_back(u);
+      const std::size_t tile = static_cast<std::size_t>(coarse.indexOf(fine.tileColumn(c), fine.tileRow(r)));
+      if (explained[tile] == 0 && coarse.patches[tile].has_line) columns_.push_back(fine.pixelOf(c));
     }
     if (columns_.empty()) continue;
     chooseColumns(rays, half_window);
