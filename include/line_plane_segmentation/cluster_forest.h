@@ -9,14 +9,11 @@
 namespace line_plane_segmentation {
 
 /// Patches that lie in one plane.
-struct PatchCluster {
-  RegressionMoments moments;
-  InverseDepthPlane plane;
-  double squared_error = 0.0;  ///< in units of the tolerance squared
-  int patches = 0;             ///< 0: a patch that is not planar, and merges with nothing
-  double share = 0.0;          ///< of the picture that its patches stand for
-  bool is_narrow = false;      ///< its patches reach its borders, or over the step beside it: they tell where
-                               ///< it is, but hardly how it is tilted
+struct PatchCluster : FittedPixels {
+  int patches = 0;
+  double share = 0.0;      ///< of the picture that its patches stand for
+  bool is_narrow = false;  ///< its patches reach its borders, or over the step beside it: they tell where it
+                           ///< is, but hardly how it is tilted
 };
 
 /// Clusters that grow by merging, each patch one at first: a forest, at whose roots is known what makes up a
@@ -26,7 +23,8 @@ class ClusterForest {
  public:
   void clear();
 
-  /// Adds a patch, the next in number, that stands for a share of the picture.
+  /// Adds a patch, the next in number, that stands for a share of the picture. It is not copied: it has to
+  /// stay where it is for as long as the forest is asked.
   void add(const SurfacePatch& patch, double share);
 
   int size() const { return static_cast<int>(parent_.size()); }
@@ -41,8 +39,20 @@ class ClusterForest {
     return patch;
   }
 
-  /// @param root  of a cluster
-  const PatchCluster& cluster(int root) const { return clusters_[static_cast<std::size_t>(root)]; }
+  /// How many patches there are in the cluster of a root.
+  int patchesOf(int root) const { return patches_[static_cast<std::size_t>(root)]; }
+
+  /// The pixels of the cluster of a root, and their plane.
+  const FittedPixels& fitOf(int root) const {
+    const int merged = merged_at_[static_cast<std::size_t>(root)];
+    return merged < 0 ? *single_[static_cast<std::size_t>(root)] : merged_[static_cast<std::size_t>(merged)];
+  }
+
+  /// The share of the picture that the cluster of a root stands for.
+  double shareOf(int root) const { return share_[static_cast<std::size_t>(root)]; }
+
+  /// All of the cluster of a root.
+  PatchCluster cluster(int root) const;
 
   /// What it costs to merge the clusters of two roots; the largest number there is if they fix no plane.
   double costOf(int a, int b) const;
@@ -66,16 +76,21 @@ class ClusterForest {
     double cost = 0.0;  ///< of merging their clusters, as these were
     int a = 0, b = 0;
     int patches = 0;  ///< of both clusters then: clusters only grow, so the cost holds while this does; 0 at
-                  ///< first
+                      ///< first
   };
 
-  static double costOf(const PatchCluster& a, const PatchCluster& b, double squared_error);
-  void replace(int a, int b, const RegressionMoments& moments, const InverseDepthPlane& plane,
-               double squared_error);
+  static double costOf(const FittedPixels& a, const FittedPixels& b, double squared_error);
+  void replace(int a, int b, const FittedPixels& both);
   bool mergeIfCheaper(Pair& pair, double limit);
 
-  std::vector<PatchCluster> clusters_;  // of each patch; holds at a root
   std::vector<int> parent_;
+  // Of each patch; they hold at a root. What most questions ask is apart from the large rest, which is kept
+  // once a cluster only.
+  std::vector<int> patches_;
+  std::vector<double> share_;
+  std::vector<const FittedPixels*> single_;  // if it is the only one in its cluster
+  std::vector<int> merged_at_;               // the index in merged_, or -1
+  std::vector<FittedPixels> merged_;         // of clusters of more than one patch
   std::vector<Pair> pairs_;
 };
 

@@ -23,9 +23,9 @@ enum class Fold {
 class Creases {
  public:
   /// Among more than 200 clusters none is found to meet another.
-  /// @param cluster_of  of each patch of the grid its cluster, or -1
+  /// @param cluster_at  of each crossing of the grid the cluster of its patch, or -1
   void find(const ViewRays& rays, const PatchGrid& grid, const std::vector<PatchCluster>& clusters,
-            const std::vector<int>& cluster_of);
+            const std::vector<int>& cluster_at);
 
   /// Whether no two clusters can meet.
   bool empty() const { return vote_.empty(); }

@@ -16,7 +16,7 @@ namespace line_plane_segmentation {
 class PatchClusterer {
  public:
   /// Lets the coarse patches of an image grow together.
-  /// @param explained  for each of them whether it needs no closer look: it is part of a plane, or clutter
+  /// @param explained  for each crossing whether it needs no closer look: it is part of a plane, or clutter
   void clusterCoarse(const PatchGrid& coarse, const Parameters& parameters,
                      std::vector<std::uint8_t>& explained);
 
@@ -40,6 +40,7 @@ class PatchClusterer {
     bool isSteady() const;
   };
 
+  bool isPlane(int root, const ClusterParameters& parameters) const;
   void dismissClutter(const PatchGrid& coarse, std::vector<std::uint8_t>& explained);
   void addFine(const PatchLevels& levels, double limit);
   void trim(const PatchLevels& levels, int min_patches, std::vector<PatchCluster>& clusters,
@@ -51,7 +52,7 @@ class PatchClusterer {
 
   ClusterForest forest_;
   CoplanarMerger coplanar_merger_;
-  std::vector<std::uint8_t> in_plane_;                 // of each coarse patch
+  std::vector<std::uint8_t> in_plane_;                 // of each coarse crossing
   std::vector<PatchCluster> coarse_sums_, fine_sums_;  // of each cluster
   std::vector<int> untrimmed_;                         // the cluster of each patch before trimming
   std::vector<int> outlier_of_;                        // of each patch, beside which cluster's plane it lies

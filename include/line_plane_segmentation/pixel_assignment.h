@@ -56,9 +56,9 @@ class PixelAssigner {
   std::vector<Span> spans_, fine_spans_;  // of the rows of tiles that the image's row lies in
   std::vector<Meeting> meetings_;
   Creases creases_;
-  std::vector<float> inverse_across_;  // of each cluster, as in RowOfPlane
-  std::vector<int> fine_cluster_;      // of each fine crossing, or -1
-  std::vector<int> open_span_;         // of each cluster, in the row of the grid being looked at; -1 if none
+  std::vector<float> inverse_across_;               // of each cluster, as in RowOfPlane
+  std::vector<int> coarse_cluster_, fine_cluster_;  // of each crossing, or -1
+  std::vector<int> open_span_;  // of each cluster, in the row of the grid being looked at; -1 if none
   // One row of the image.
   std::vector<float> depth_over_noise_, best_;
   std::vector<std::uint16_t> label_;

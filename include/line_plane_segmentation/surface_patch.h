@@ -14,57 +14,56 @@
 
 namespace line_plane_segmentation {
 
-/// The local plane where a row and a column cross, held up by two straight line primitives: the windows of
-/// the two scanlines around the crossing.
-struct SurfacePatch {
-  bool has_line = false;   ///< one of the windows is straight, at least
-  bool is_planar = false;  ///< both windows are straight and lie in one plane; if not, nothing below is set
+/// Pixels and the plane that fits them best.
+struct FittedPixels {
   RegressionMoments moments;
   InverseDepthPlane plane;
   double squared_error = 0.0;  ///< of the pixels to the plane, in units of the tolerance squared
 };
 
-/// The crossings of all scanlines, row by row.
+/// The local plane where a row and a column cross, held up by two straight line primitives: the windows of
+/// the two scanlines around the crossing, which lie in one plane.
+struct SurfacePatch : FittedPixels {
+  int u = 0, v = 0;  ///< [px] the crossing
+};
+
+/// The crossings of all scanlines that are so far apart, row by row.
 struct PatchGrid {
   int spacing = 1;  ///< [px] between scanlines
   int columns = 0, rows = 0;
+  std::vector<std::uint8_t> has_line;  ///< of each crossing whether one of its windows is straight, at least
+  std::vector<int> patch_at;           ///< of each crossing its patch, or -1
   std::vector<SurfacePatch> patches;
+  std::vector<int> cells;  ///< of each patch the number of its crossing
 
-  /// The image row through the patches of a row of the grid; the same for columns.
+  int crossings() const { return columns * rows; }
+  double shareOfPicture() const { return 1.0 / std::max(1, crossings()); }
+
+  /// The image row through the crossings of a row of the grid; the same for columns.
   int pixelOf(int index) const { return spacing / 2 + index * spacing; }
   int indexOf(int column, int row) const { return row * columns + column; }
 
-  /// The patch nearest to a pixel: of the tile, `spacing` pixels wide, that it lies in.
+  /// The crossing nearest to a pixel: of the tile, `spacing` pixels wide, that it lies in.
   int indexAt(int u, int v) const {
     const int column = std::clamp(u / spacing, 0, columns - 1), row = std::clamp(v / spacing, 0, rows - 1);
     return indexOf(column, row);
   }
-};
 
-/// Planar patches of some crossings of finer scanlines.
-struct FinePatches {
-  int spacing = 1;  ///< [px] between scanlines
-  int columns = 0, rows = 0;
-  std::vector<SurfacePatch> patches;
-  std::vector<int> cells;     ///< of each patch the number of its crossing, row by row
-  std::vector<int> patch_at;  ///< of each crossing its patch, or -1
-  /// The column and the row of the coarse grid that the fine grid's columns and rows -1, 0, 1, ... lie in,
-  /// one more at either side than there are.
-  std::vector<int> tile_columns, tile_rows;
-
-  int tileColumn(int column) const { return tile_columns[static_cast<std::size_t>(column + 1)]; }
-  int tileRow(int row) const { return tile_rows[static_cast<std::size_t>(row + 1)]; }
-  int pixelOf(int index) const { return spacing / 2 + index * spacing; }
-  double shareOfPicture() const { return 1.0 / std::max(1.0, static_cast<double>(columns) * rows); }
-  /// -1 also above the first row.
+  /// The patch of a crossing, -1 also of those above the first row.
   int patchAt(int cell) const { return cell < 0 ? -1 : patch_at[static_cast<std::size_t>(cell)]; }
+
+  /// Tells for each crossing what `of_patch` holds for its patch, there being others before the grid's first
+  /// patch; -1 where there is none.
+  void spread(const std::vector<int>& of_patch, int first, std::vector<int>& of_crossing) const;
 };
 
 /// All patches of an image: those of the scanlines, and of finer ones where there are lines that no plane
-/// explains. They are numbered through, first all crossings of the coarse ones, then the fine patches.
+/// explains. They are numbered through, first the coarse ones, then the fine ones.
 struct PatchLevels {
-  PatchGrid coarse;
-  FinePatches fine;
+  PatchGrid coarse, fine;
+  /// The column and the row of the coarse grid that the fine grid's columns and rows -1, 0, 1, ... lie in,
+  /// one more at either side than there are.
+  std::vector<int> tile_columns, tile_rows;
 
   int firstFine() const { return static_cast<int>(coarse.patches.size()); }
   int count() const { return firstFine() + static_cast<int>(fine.patches.size()); }
@@ -72,15 +71,8 @@ struct PatchLevels {
     return i < firstFine() ? coarse.patches[static_cast<std::size_t>(i)]
                            : fine.patches[static_cast<std::size_t>(i - firstFine())];
   }
-  int u(int i) const {
-    return i < firstFine() ? coarse.pixelOf(i % coarse.columns) : fine.pixelOf(cellOf(i) % fine.columns);
-  }
-  int v(int i) const {
-    return i < firstFine() ? coarse.pixelOf(i / coarse.columns) : fine.pixelOf(cellOf(i) / fine.columns);
-  }
-
- private:
-  int cellOf(int i) const { return fine.cells[static_cast<std::size_t>(i - firstFine())]; }
+  int tileColumn(int fine_column) const { return tile_columns[static_cast<std::size_t>(fine_column + 1)]; }
+  int tileRow(int fine_row) const { return tile_rows[static_cast<std::size_t>(fine_row + 1)]; }
 };
 
 /// Stages 1 to 3 of the adaptive method. A window of a scanline is fitted by linear regression in inverse
@@ -91,8 +83,9 @@ class PatchDetector {
   void detect(const DepthImage& depth, const ViewRays& rays, const Parameters& parameters, PatchGrid& grid);
 
   /// Looks more closely, with shorter windows, where there are lines that no plane explains.
-  /// @param explained  for each patch of levels.coarse whether it needs no closer look
-  /// @param levels     levels.fine is filled; it is empty if the parameters want nothing finer
+  /// @param explained  for each crossing of levels.coarse whether it needs no closer look
+  /// @param levels     all but levels.coarse is filled; there are no fine patches if the parameters want
+  ///                   nothing finer
   void refine(const DepthImage& depth, const ViewRays& rays, const Parameters& parameters,
               const std::vector<std::uint8_t>& explained, PatchLevels& levels);
 
@@ -100,7 +93,8 @@ class PatchDetector {
   void chooseColumns(const ViewRays& rays, int half_window);
   void sumWindows(const DepthImage& depth, const ViewRays& rays, int v, int half_window);
   void fit(double y, int half_window, const Parameters& parameters);
-  SurfacePatch patchOf(int lane, double y);
+  void addRow(const DepthImage& depth, const ViewRays& rays, int row, int half_window,
+              const Parameters& parameters, PatchGrid& grid);
 
   // Of a row of crossings, one lane a crossing: the image's columns they lie in and the rays there, the sums
   // of their windows, and what is fitted to these.

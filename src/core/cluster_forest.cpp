@@ -14,35 +14,41 @@ constexpr double kHopeless = 4.0;
 }  // namespace
 
 void ClusterForest::clear() {
-  clusters_.clear();
   parent_.clear();
+  patches_.clear();
+  share_.clear();
+  single_.clear();
+  merged_at_.clear();
+  merged_.clear();
   pairs_.clear();
 }
 
 void ClusterForest::add(const SurfacePatch& patch, double share) {
-  clusters_.push_back(
-      {patch.moments, patch.plane, patch.squared_error, patch.is_planar ? 1 : 0, share, false});
   parent_.push_back(static_cast<int>(parent_.size()));
+  patches_.push_back(1);
+  share_.push_back(share);
+  single_.push_back(&patch);
+  merged_at_.push_back(-1);
+}
+
+PatchCluster ClusterForest::cluster(int root) const {
+  return {fitOf(root), patchesOf(root), share_[static_cast<std::size_t>(root)], false};
 }
 
 // @param squared_error  that of both to their common plane; negative if they fix none
-double ClusterForest::costOf(const PatchCluster& a, const PatchCluster& b, double squared_error) {
+double ClusterForest::costOf(const FittedPixels& a, const FittedPixels& b, double squared_error) {
   if (squared_error < 0.0) return std::numeric_limits<double>::max();
   return (squared_error - a.squared_error - b.squared_error) / std::min(a.moments.pixels, b.moments.pixels);
 }
 
 double ClusterForest::costOf(int a, int b) const {
-  const PatchCluster &first = cluster(a), &second = cluster(b);
+  const FittedPixels &first = fitOf(a), &second = fitOf(b);
   InverseDepthPlane plane;
   return costOf(first, second, (first.moments + second.moments).fit(plane));
 }
 
 void ClusterForest::addPair(int a, int b) {
-  const int root_a = find(a), root_b = find(b);
-  if (root_a == root_b || cluster(root_a).patches == 0 || cluster(root_b).patches == 0) return;
-  Pair& pair = pairs_.emplace_back();
-  pair.a = a;
-  pair.b = b;
+  if (find(a) != find(b)) pairs_.push_back({0.0, a, b, 0});
 }
 
 // Merges the clusters of a pair if that costs less than the limit.
@@ -50,16 +56,16 @@ void ClusterForest::addPair(int a, int b) {
 bool ClusterForest::mergeIfCheaper(Pair& pair, double limit) {
   const int a = find(pair.a), b = find(pair.b);
   if (a == b) return true;
-  const PatchCluster &first = cluster(a), &second = cluster(b);
-  const int patches = first.patches + second.patches;
+  const int patches = patchesOf(a) + patchesOf(b);
   if (patches == pair.patches && !(pair.cost < limit)) return false;
-  const RegressionMoments moments = first.moments + second.moments;
-  InverseDepthPlane plane;
-  const double squared_error = moments.fit(plane);
-  pair.cost = costOf(first, second, squared_error);
+  const FittedPixels &first = fitOf(a), &second = fitOf(b);
+  FittedPixels both;
+  both.moments = first.moments + second.moments;
+  both.squared_error = both.moments.fit(both.plane);
+  pair.cost = costOf(first, second, both.squared_error);
   pair.patches = patches;
   if (!(pair.cost < limit)) return false;
-  replace(a, b, moments, plane, squared_error);
+  replace(a, b, both);
   return true;
 }
 
@@ -75,23 +81,25 @@ void ClusterForest::mergePairs(double limit, std::initializer_list<double> round
 }
 
 void ClusterForest::merge(int a, int b) {
-  const RegressionMoments moments = cluster(a).moments + cluster(b).moments;
-  InverseDepthPlane plane;
-  const double squared_error = moments.fit(plane);
-  replace(a, b, moments, plane, squared_error);
+  FittedPixels both;
+  both.moments = fitOf(a).moments + fitOf(b).moments;
+  both.squared_error = both.moments.fit(both.plane);
+  replace(a, b, both);
 }
 
 // Puts what two clusters have in common in the place of the first.
-void ClusterForest::replace(int a, int b, const RegressionMoments& moments, const InverseDepthPlane& plane,
-                            double squared_error) {
-  PatchCluster& merged = clusters_[static_cast<std::size_t>(a)];
-  const PatchCluster& other = cluster(b);
-  merged.moments = moments;
-  merged.plane = plane;
-  merged.squared_error = squared_error;
-  merged.patches += other.patches;
-  merged.share += other.share;
-  parent_[static_cast<std::size_t>(b)] = a;
+void ClusterForest::replace(int a, int b, const FittedPixels& both) {
+  const std::size_t to = static_cast<std::size_t>(a), from = static_cast<std::size_t>(b);
+  if (merged_at_[to] < 0) merged_at_[to] = merged_at_[from];
+  if (merged_at_[to] < 0) {
+    merged_at_[to] = static_cast<int>(merged_.size());
+    merged_.push_back(both);
+  } else {
+    merged_[static_cast<std::size_t>(merged_at_[to])] = both;
+  }
+  patches_[to] += patches_[from];
+  share_[to] += share_[from];
+  parent_[from] = a;
 }
 
 }  // namespace line_plane_segmentation

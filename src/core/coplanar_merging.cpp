@@ -12,13 +12,13 @@ namespace {
 constexpr std::size_t kMaxClusters = 100;  // every pair of these is tried, so that the time stays bounded
 
 // Whether one looks at nothing behind the common plane on the straight way from one patch to another.
-bool isOccludedBetween(int from, int to, const InverseDepthPlane& plane, const DepthImage& depth,
-                       const ViewRays& rays, const PatchLevels& levels, const Parameters& parameters) {
+bool isOccludedBetween(const SurfacePatch& from, const SurfacePatch& to, const InverseDepthPlane& plane,
+                       const DepthImage& depth, const ViewRays& rays, const Parameters& parameters) {
   const double inverse_distance = plane.inverseDistance();
   const DepthTolerance tolerance{parameters.noise, 2.0 * parameters.extraction.distance_noise_factor,
                                  2.0 * parameters.extraction.plane_distance};
-  const int u0 = levels.u(from), v0 = levels.v(from);
-  const int du = levels.u(to) - u0, dv = levels.v(to) - v0;
+  const int u0 = from.u, v0 = from.v;
+  const int du = to.u - u0, dv = to.v - v0;
   const int steps = std::max(std::abs(du), std::abs(dv));
   int behind = 0;
   for (int k = 0; k < steps; ++k) {
@@ -39,11 +39,11 @@ bool isOccludedBetween(int from, int to, const InverseDepthPlane& plane, const D
 void CoplanarMerger::findRoots(int min_patches, ClusterForest& forest) {
   roots_.clear();
   for (int i = 0; i < forest.size(); ++i) {
-    if (forest.find(i) == i && forest.cluster(i).patches >= min_patches) roots_.push_back(i);
+    if (forest.find(i) == i && forest.patchesOf(i) >= min_patches) roots_.push_back(i);
   }
   if (roots_.size() <= kMaxClusters) return;
   std::nth_element(roots_.begin(), roots_.begin() + kMaxClusters, roots_.end(), [&forest](int a, int b) {
-    const int patches_a = forest.cluster(a).patches, patches_b = forest.cluster(b).patches;
+    const int patches_a = forest.patchesOf(a), patches_b = forest.patchesOf(b);
     return patches_a != patches_b ? patches_a > patches_b : a < b;
   });
   roots_.resize(kMaxClusters);
@@ -65,10 +65,10 @@ void CoplanarMerger::listPatches(ClusterForest& forest) {
 
 // The patch of a cluster that is nearest in the picture to another patch.
 int CoplanarMerger::nearestPatch(const PatchLevels& levels, int root, int to) const {
-  const int u = levels.u(to), v = levels.v(to);
+  const int u = levels.patch(to).u, v = levels.patch(to).v;
   int nearest = root, nearest_distance = std::numeric_limits<int>::max();
   for (int i = first_[static_cast<std::size_t>(root)]; i >= 0; i = next_[static_cast<std::size_t>(i)]) {
-    const int du = levels.u(i) - u, dv = levels.v(i) - v;
+    const int du = levels.patch(i).u - u, dv = levels.patch(i).v - v;
     if (du * du + dv * dv < nearest_distance) {
       nearest = i;
       nearest_distance = du * du + dv * dv;
@@ -97,9 +97,9 @@ void CoplanarMerger::merge(const DepthImage& depth, const ViewRays& rays, const 
     const int a = forest.find(pair.a), b = forest.find(pair.b);
     if (a == b || !(forest.costOf(a, b) < limit)) continue;
     InverseDepthPlane common;
-    (forest.cluster(a).moments + forest.cluster(b).moments).fit(common);
+    (forest.fitOf(a).moments + forest.fitOf(b).moments).fit(common);
     const int from = nearestPatch(levels, a, b), to = nearestPatch(levels, b, from);
-    if (!isOccludedBetween(from, to, common, depth, rays, levels, parameters)) continue;
+    if (!isOccludedBetween(levels.patch(from), levels.patch(to), common, depth, rays, parameters)) continue;
     forest.merge(a, b);
     next_[static_cast<std::size_t>(last_[static_cast<std::size_t>(a)])] = first_[static_cast<std::size_t>(b)];
     last_[static_cast<std::size_t>(a)] = last_[static_cast<std::size_t>(b)];

@@ -21,7 +21,7 @@ void Creases::vote(int cluster, int other, int sign) {
 }
 
 void Creases::find(const ViewRays& rays, const PatchGrid& grid, const std::vector<PatchCluster>& clusters,
-                   const std::vector<int>& cluster_of) {
+                   const std::vector<int>& cluster_at) {
   count_ = clusters.size();
   vote_.clear();
   if (count_ < 2 || count_ > kMaxClusters) return;
@@ -34,8 +34,8 @@ void Creases::find(const ViewRays& rays, const PatchGrid& grid, const std::vecto
   };
   // Where a patch is seen, its plane is the nearer one of a fold inward, the farther one of a fold outward.
   const auto compare = [&](int patch, int neighbor) {
-    const int cluster = cluster_of[static_cast<std::size_t>(patch)];
-    const int other = cluster_of[static_cast<std::size_t>(neighbor)];
+    const int cluster = cluster_at[static_cast<std::size_t>(patch)];
+    const int other = cluster_at[static_cast<std::size_t>(neighbor)];
     if (cluster == other || cluster < 0 || other < 0) return;
     vote(cluster, other, isNearer(patch, cluster, other) ? 1 : -1);
     vote(cluster, other, isNearer(neighbor, other, cluster) ? 1 : -1);

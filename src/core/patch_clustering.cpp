@@ -44,11 +44,9 @@ constexpr double kSteadyStep = 10.0;
 // What a bound for small planes grows to for one that fills a share of the picture.
 double allowDistortion(double bound, double share) { return bound * (1.0 + share / kDistortedShare); }
 
-// Whether a cluster is large and flat enough.
-bool isPlane(const PatchCluster& cluster, const ClusterParameters& parameters) {
-  return cluster.patches >= parameters.min_patches &&
-         cluster.squared_error <=
-             allowDistortion(parameters.max_curvedness, cluster.share) * cluster.moments.pixels;
+// Whether pixels that fill a share of the picture lie in a plane.
+bool isFlat(const FittedPixels& pixels, double share, const ClusterParameters& parameters) {
+  return pixels.squared_error <= allowDistortion(parameters.max_curvedness, share) * pixels.moments.pixels;
 }
 
 // Whether the patches of a cluster lie on another surface than a plane.
@@ -75,24 +73,32 @@ bool PatchClusterer::Step::isSteady() const {
 
 void PatchClusterer::clusterCoarse(const PatchGrid& coarse, const Parameters& parameters,
                                    std::vector<std::uint8_t>& explained) {
-  const double limit = parameters.clusters.merge_cost;
-  const double share = 1.0 / static_cast<double>(coarse.patches.size());
   forest_.clear();
-  for (const SurfacePatch& patch : coarse.patches) forest_.add(patch, share);
+  for (const SurfacePatch& patch : coarse.patches) forest_.add(patch, coarse.shareOfPicture());
   for (int r = 0; r < coarse.rows; ++r) {
     for (int c = 0; c < coarse.columns; ++c) {
-      const int i = coarse.indexOf(c, r);
-      if (c + 1 < coarse.columns) forest_.addPair(i, i + 1);
-      if (r + 1 < coarse.rows) forest_.addPair(i, i + coarse.columns);
+      const int cell = coarse.indexOf(c, r), i = coarse.patchAt(cell);
+      if (i < 0) continue;
+      const int right = c + 1 < coarse.columns ? coarse.patchAt(cell + 1) : -1;
+      const int below = r + 1 < coarse.rows ? coarse.patchAt(cell + coarse.columns) : -1;
+      if (right >= 0) forest_.addPair(i, right);
+      if (below >= 0) forest_.addPair(i, below);
     }
   }
-  forest_.mergePairs(limit, {1.0 / 64, 1.0 / 16, 1.0 / 8, 1.0 / 4, 1.0 / 2, 1.0, 1.0});
-  explained.resize(coarse.patches.size());
-  for (std::size_t i = 0; i < explained.size(); ++i) {
-    const int root = forest_.find(static_cast<int>(i));
-    explained[i] = isPlane(forest_.cluster(root), parameters.clusters) ? 1 : 0;
+  forest_.mergePairs(parameters.clusters.merge_cost,
+                     {1.0 / 64, 1.0 / 16, 1.0 / 8, 1.0 / 4, 1.0 / 2, 1.0, 1.0});
+  explained.assign(coarse.patch_at.size(), 0);
+  for (int i = 0; i < forest_.size(); ++i) {
+    const bool is_explained = isPlane(forest_.find(i), parameters.clusters);
+    explained[static_cast<std::size_t>(coarse.cells[static_cast<std::size_t>(i)])] = is_explained ? 1 : 0;
   }
   dismissClutter(coarse, explained);
+}
+
+// Whether the cluster of a root is large and flat enough.
+bool PatchClusterer::isPlane(int root, const ClusterParameters& parameters) const {
+  return forest_.patchesOf(root) >= parameters.min_patches &&
+         isFlat(forest_.fitOf(root), forest_.shareOf(root), parameters);
 }
 
 // Marks planar patches that no closer look makes a plane of.
@@ -108,34 +114,35 @@ void PatchClusterer::dismissClutter(const PatchGrid& coarse, std::vector<std::ui
     }
     return false;
   };
-  for (int r = 0; r < coarse.rows; ++r) {
-    for (int c = 0; c < coarse.columns; ++c) {
-      const int i = coarse.indexOf(c, r);
-      if (!coarse.patches[static_cast<std::size_t>(i)].is_planar) continue;
-      const bool is_lone = forest_.cluster(forest_.find(i)).patches <= kMostClutter && !isNearPlane(c, r);
-      if (is_lone) explained[static_cast<std::size_t>(i)] = 1;
-    }
+  for (int i = 0; i < forest_.size(); ++i) {
+    if (forest_.patchesOf(forest_.find(i)) > kMostClutter) continue;
+    const int cell = coarse.cells[static_cast<std::size_t>(i)];
+    if (!isNearPlane(cell % coarse.columns, cell / coarse.columns))
+      explained[static_cast<std::size_t>(cell)] = 1;
   }
 }
 
 // First the fine patches join what is there, then each other. They need fewer rounds than the coarse ones:
 // planes that are sure are there.
 void PatchClusterer::addFine(const PatchLevels& levels, double limit) {
-  const PatchGrid& coarse = levels.coarse;
-  const FinePatches& fine = levels.fine;
+  const PatchGrid &coarse = levels.coarse, &fine = levels.fine;
   for (const SurfacePatch& patch : fine.patches) forest_.add(patch, fine.shareOfPicture());
   const int first = levels.firstFine();
   const double join_limit = kJoinCost * limit;
   for (int i = first; i < levels.count(); ++i) {
     const int cell = fine.cells[static_cast<std::size_t>(i - first)];
     const int c = cell % fine.columns, r = cell / fine.columns;
-    const int column = fine.tileColumn(c), row = fine.tileRow(r);
-    forest_.addPair(i, coarse.indexOf(column, row));
-    for (const int other : {fine.tileColumn(c - 1), fine.tileColumn(c + 1)}) {
-      if (other != column) forest_.addPair(i, coarse.indexOf(other, row));
+    const int column = levels.tileColumn(c), row = levels.tileRow(r);
+    const auto ask = [&](int tile_column, int tile_row) {
+      const int patch = coarse.patchAt(coarse.indexOf(tile_column, tile_row));
+      if (patch >= 0) forest_.addPair(i, patch);
+    };
+    ask(column, row);
+    for (const int other : {levels.tileColumn(c - 1), levels.tileColumn(c + 1)}) {
+      if (other != column) ask(other, row);
     }
-    for (const int other : {fine.tileRow(r - 1), fine.tileRow(r + 1)}) {
-      if (other != row) forest_.addPair(i, coarse.indexOf(column, other));
+    for (const int other : {levels.tileRow(r - 1), levels.tileRow(r + 1)}) {
+      if (other != row) ask(column, other);
     }
   }
   forest_.mergePairs(join_limit, {1.0 / 4, 1.0});
@@ -212,9 +219,10 @@ void PatchClusterer::partAtSteps(const PatchLevels& levels, const ClusterParamet
   }
   new_index_.assign(planes, -1);
   for (std::size_t k = 0; k < planes && clusters.size() < kMaxClusters; ++k) {
-    const double share = steps_[k].patches / static_cast<double>(coarse);
+    const double share = steps_[k].patches * levels.coarse.shareOfPicture();
     outliers_[k].share = share;
-    if (steps_[k].patches < kMinStepPatches || !steps_[k].isSteady() || !isPlane(outliers_[k], parameters))
+    if (steps_[k].patches < kMinStepPatches || !steps_[k].isSteady() ||
+        outliers_[k].patches < parameters.min_patches || !isFlat(outliers_[k], share, parameters))
       continue;
     new_index_[k] = static_cast<int>(clusters.size());
     clusters.push_back(outliers_[k]);
@@ -237,7 +245,7 @@ void PatchClusterer::dropUneven(const PatchLevels& levels, const ClusterParamete
     if (cluster < 0) continue;
     const std::size_t k = static_cast<std::size_t>(cluster);
     if (clusters[k].share > kNeverUnevenShare) continue;
-    bends_[k].add(kBendUnit * levels.u(i), kBendUnit * levels.v(i),
+    bends_[k].add(kBendUnit * levels.patch(i).u, kBendUnit * levels.patch(i).v,
                   deviationOf(levels.patch(i).moments, clusters[k].plane));
   }
   new_index_.assign(clusters.size(), -1);
@@ -261,7 +269,7 @@ void PatchClusterer::cluster(const DepthImage& depth, const ViewRays& rays, cons
   clusters.clear();
   cluster_of.assign(static_cast<std::size_t>(forest_.size()), -1);
   for (int i = 0; i < forest_.size() && clusters.size() < kMaxClusters; ++i) {
-    if (forest_.find(i) != i || !isPlane(forest_.cluster(i), parameters.clusters)) continue;
+    if (forest_.find(i) != i || !isPlane(i, parameters.clusters)) continue;
     cluster_of[static_cast<std::size_t>(i)] = static_cast<int>(clusters.size());
     clusters.push_back(forest_.cluster(i));
   }

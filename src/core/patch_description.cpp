@@ -64,18 +64,19 @@ class SegmentJoiner {
                    parameters.patches.patch_distance},
         segments_(segments) {}
 
-  void walk(ScanDirection direction, int scanline, double across, int first_patch, int stride, int count) {
+  void walk(ScanDirection direction, int scanline, double across, int first_cell, int stride, int count) {
     LineRegression regression;
     for (int i = 0; i < count; ++i) {
-      const SurfacePatch* patch = &grid_.patches[static_cast<std::size_t>(first_patch + i * stride)];
-      if (!patch->is_planar) {
+      const int index = grid_.patchAt(first_cell + i * stride);
+      if (index < 0) {
         regression = LineRegression{};
         continue;
       }
-      const InverseDepthLine line = lineOf(patch->plane, direction, across);
+      const SurfacePatch& patch = grid_.patches[static_cast<std::size_t>(index)];
+      const InverseDepthLine line = lineOf(patch.plane, direction, across);
       const int pixel = grid_.pixelOf(i);
       const double t = along_[static_cast<std::size_t>(pixel)];
-      if (regression.empty() || !leadsTo(*patch, line.slope * t + line.offset, regression.line(), t)) {
+      if (regression.empty() || !leadsTo(patch, line.slope * t + line.offset, regression.line(), t)) {
         LineSegment segment;
         segment.direction = direction;
         segment.scanline = scanline;
@@ -122,17 +123,13 @@ void describePatches(const PatchGrid& grid, const ViewRays& rays, const Paramete
     along_columns.walk(ScanDirection::kColumn, u, rays.x[static_cast<std::size_t>(u)], c, grid.columns,
                        grid.rows);
   }
-  for (int r = 0; r < grid.rows; ++r) {
-    for (int c = 0; c < grid.columns; ++c) {
-      const SurfacePatch& patch = grid.patches[static_cast<std::size_t>(grid.indexOf(c, r))];
-      if (!patch.is_planar) continue;
-      PlaneCandidate candidate;
-      candidate.u = grid.pixelOf(c);
-      candidate.v = grid.pixelOf(r);
-      candidate.d = 1.0 / patch.plane.inverseDistance();
-      candidate.normal = -candidate.d * Eigen::Vector3d(patch.plane.a, patch.plane.b, patch.plane.c);
-      candidates.push_back(candidate);
-    }
+  for (const SurfacePatch& patch : grid.patches) {
+    PlaneCandidate candidate;
+    candidate.u = patch.u;
+    candidate.v = patch.v;
+    candidate.d = 1.0 / patch.plane.inverseDistance();
+    candidate.normal = -candidate.d * Eigen::Vector3d(patch.plane.a, patch.plane.b, patch.plane.c);
+    candidates.push_back(candidate);
   }
 }
 

@@ -137,12 +137,10 @@ void PixelAssigner::assign(const DepthImage& depth, const ViewRays& rays, const 
                        static_cast<float>(parameters.noise.growth) * factor,
                        static_cast<float>(parameters.noise.nearest)};
 
-  fine_cluster_.assign(levels.fine.patch_at.size(), -1);
-  for (int i = levels.firstFine(); i < levels.count(); ++i) {
-    const int cell = levels.fine.cells[static_cast<std::size_t>(i - levels.firstFine())];
-    fine_cluster_[static_cast<std::size_t>(cell)] = cluster_of[static_cast<std::size_t>(i)];
-  }
-  const Tiles coarse{levels.coarse.spacing, levels.coarse.columns, levels.coarse.rows, cluster_of.data()};
+  levels.coarse.spread(cluster_of, 0, coarse_cluster_);
+  levels.fine.spread(cluster_of, levels.firstFine(), fine_cluster_);
+  const Tiles coarse{levels.coarse.spacing, levels.coarse.columns, levels.coarse.rows,
+                     coarse_cluster_.data()};
   const Tiles fine{levels.fine.spacing, levels.fine.columns, levels.fine.rows, fine_cluster_.data()};
   inverse_across_.clear();
   for (const PatchCluster& cluster : clusters) {
@@ -152,7 +150,7 @@ void PixelAssigner::assign(const DepthImage& depth, const ViewRays& rays, const 
 
   const DepthTolerance crease_tolerance{parameters.noise,
                                         kCreaseReach * parameters.extraction.distance_noise_factor};
-  creases_.find(rays, levels.coarse, clusters, cluster_of);
+  creases_.find(rays, levels.coarse, clusters, coarse_cluster_);
 
   image.clear();
   spans_.clear();

@@ -16,15 +16,33 @@ int countAlong(int pixels, int spacing) {
   return pixels > spacing / 2 ? (pixels - 1 - spacing / 2) / spacing + 1 : 0;
 }
 
-// Which of the coarse grid's columns, or rows, those of the fine grid lie in, as FinePatches has it.
-void findTiles(const FinePatches& fine, int count, int coarse_spacing, int coarse_count,
+// Lays an empty grid over an image.
+void lay(const DepthImage& depth, int spacing, PatchGrid& grid) {
+  grid.spacing = spacing;
+  grid.columns = countAlong(depth.width, spacing);
+  grid.rows = countAlong(depth.height, spacing);
+  grid.patches.clear();
+  grid.cells.clear();
+  grid.patch_at.assign(static_cast<std::size_t>(grid.crossings()), -1);
+  grid.has_line.assign(static_cast<std::size_t>(grid.crossings()), 0);
+}
+
+// Which of the coarse grid's columns, or rows, the fine grid's lie in, as PatchLevels has it.
+void findTiles(const PatchGrid& fine, int fine_count, int coarse_spacing, int coarse_count,
                std::vector<int>& tiles) {
   tiles.clear();
-  for (int i = -1; i <= count; ++i)
+  for (int i = -1; i <= fine_count; ++i)
     tiles.push_back(std::clamp(fine.pixelOf(i) / coarse_spacing, 0, coarse_count - 1));
 }
 
 }  // namespace
+
+void PatchGrid::spread(const std::vector<int>& of_patch, int first, std::vector<int>& of_crossing) const {
+  of_crossing.assign(patch_at.size(), -1);
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    of_crossing[static_cast<std::size_t>(cells[i])] = of_patch[static_cast<std::size_t>(first) + i];
+  }
+}
 
 // Chooses the image's columns in which crossings of the next rows lie.
 void PatchDetector::chooseColumns(const ViewRays& rays, int half_window) {
@@ -80,77 +98,63 @@ void PatchDetector::fit(double y, int half_window, const Parameters& parameters)
                static_cast<int>(columns_.size()), bounds, fits_);
 }
 
-// The patch of a crossing that has been fitted.
-SurfacePatch PatchDetector::patchOf(int lane, double y) {
-  SurfacePatch patch;
-  patch.has_line = fits_(kFitLines, lane) > 0.0;
-  patch.is_planar = fits_(kFitPlanar, lane) > 0.0;
-  if (!patch.is_planar) return patch;
-  patch.plane = {fits_(kFitA, lane), fits_(kFitB, lane), fits_(kFitC, lane)};
-  const double weight = 1.0 / (fits_(kFitTolerance, lane) * fits_(kFitTolerance, lane));
-  patch.squared_error = fits_(kFitSquaredError, lane) * weight;
-  patch.moments = momentsOfCrossing(lanesFrom(lane, row_sums_)[0], lanesFrom(lane, column_sums_)[0],
-                                    static_cast<double>(x_[static_cast<std::size_t>(lane)]), y);
-  patch.moments.scale(weight);
-  return patch;
+// Looks at the crossings of a row of the grid that lie in columns_.
+void PatchDetector::addRow(const DepthImage& depth, const ViewRays& rays, int row, int half_window,
+                           const Parameters& parameters, PatchGrid& grid) {
+  const int v = grid.pixelOf(row);
+  const double y = rays.y[static_cast<std::size_t>(v)];
+  sumWindows(depth, rays, v, half_window);
+  fit(y, half_window, parameters);
+  for (int lane = 0; lane < static_cast<int>(columns_.size()); ++lane) {
+    const int u = columns_[static_cast<std::size_t>(lane)], cell = grid.indexOf(u / grid.spacing, row);
+    grid.has_line[static_cast<std::size_t>(cell)] = fits_(kFitLines, lane) > 0.0 ? 1 : 0;
+    if (!(fits_(kFitPlanar, lane) > 0.0)) continue;
+    grid.patch_at[static_cast<std::size_t>(cell)] = static_cast<int>(grid.patches.size());
+    grid.cells.push_back(cell);
+    SurfacePatch& patch = grid.patches.emplace_back();
+    patch.u = u;
+    patch.v = v;
+    patch.plane = {fits_(kFitA, lane), fits_(kFitB, lane), fits_(kFitC, lane)};
+    const double weight = 1.0 / (fits_(kFitTolerance, lane) * fits_(kFitTolerance, lane));
+    patch.squared_error = fits_(kFitSquaredError, lane) * weight;
+    patch.moments = momentsOfCrossing(lanesFrom(lane, row_sums_)[0], lanesFrom(lane, column_sums_)[0],
+                                      static_cast<double>(x_[static_cast<std::size_t>(lane)]), y);
+    patch.moments.scale(weight);
+  }
 }
 
 void PatchDetector::detect(const DepthImage& depth, const ViewRays& rays, const Parameters& parameters,
                            PatchGrid& grid) {
-  grid.spacing = parameters.scanlines.scanline_spacing;
-  grid.columns = countAlong(depth.width, grid.spacing);
-  grid.rows = countAlong(depth.height, grid.spacing);
+  lay(depth, parameters.scanlines.scanline_spacing, grid);
   const int half_window = parameters.lines.line_window / 2;
   columns_.clear();
   for (int c = 0; c < grid.columns; ++c) columns_.push_back(grid.pixelOf(c));
   chooseColumns(rays, half_window);
-  grid.patches.clear();
-  grid.patches.reserve(static_cast<std::size_t>(grid.columns) * static_cast<std::size_t>(grid.rows));
-  for (int r = 0; r < grid.rows; ++r) {
-    const int v = grid.pixelOf(r);
-    const double y = rays.y[static_cast<std::size_t>(v)];
-    sumWindows(depth, rays, v, half_window);
-    fit(y, half_window, parameters);
-    for (int c = 0; c < grid.columns; ++c) grid.patches.push_back(patchOf(c, y));
-  }
+  for (int r = 0; r < grid.rows; ++r) addRow(depth, rays, r, half_window, parameters, grid);
 }
 
 void PatchDetector::refine(const DepthImage& depth, const ViewRays& rays, const Parameters& parameters,
                            const std::vector<std::uint8_t>& explained, PatchLevels& levels) {
   const PatchGrid& coarse = levels.coarse;
-  FinePatches& fine = levels.fine;
-  fine.spacing = parameters.scanlines.fine_spacing;
-  fine.columns = countAlong(depth.width, fine.spacing);
-  fine.rows = countAlong(depth.height, fine.spacing);
-  fine.patches.clear();
-  fine.cells.clear();
-  fine.patch_at.assign(static_cast<std::size_t>(fine.columns) * static_cast<std::size_t>(fine.rows), -1);
-  // An image smaller than a tile has no coarse patch that could ask for more.
-  if (fine.spacing >= coarse.spacing || coarse.patches.empty()) return;
+  PatchGrid& fine = levels.fine;
+  lay(depth, parameters.scanlines.fine_spacing, fine);
+  // An image smaller than a tile has no coarse crossing that could ask for more.
+  if (fine.spacing >= coarse.spacing || coarse.crossings() == 0) return;
 
-  findTiles(fine, fine.columns, coarse.spacing, coarse.columns, fine.tile_columns);
-  findTiles(fine, fine.rows, coarse.spacing, coarse.rows, fine.tile_rows);
+  findTiles(fine, fine.columns, coarse.spacing, coarse.columns, levels.tile_columns);
+  findTiles(fine, fine.rows, coarse.spacing, coarse.rows, levels.tile_rows);
   const int half_window =
       std::max(kMinHalfWindow, parameters.lines.line_window * fine.spacing / coarse.spacing / 2);
   for (int r = 0; r < fine.rows; ++r) {
-    const int v = fine.pixelOf(r);
     columns_.clear();
     for (int c = 0; c < fine.columns; ++c) {
-      const std::size_t tile = static_cast<std::size_t>(coarse.indexOf(fine.tileColumn(c), fine.tileRow(r)));
-      if (explained[tile] == 0 && coarse.patches[tile].has_line) columns_.push_back(fine.pixelOf(c));
+      const std::size_t tile =
+          static_cast<std::size_t>(coarse.indexOf(levels.tileColumn(c), levels.tileRow(r)));
+      if (explained[tile] == 0 && coarse.has_line[tile] != 0) columns_.push_back(fine.pixelOf(c));
     }
     if (columns_.empty()) continue;
     chooseColumns(rays, half_window);
-    sumWindows(depth, rays, v, half_window);
-    const double y = rays.y[static_cast<std::size_t>(v)];
-    fit(y, half_window, parameters);
-    for (std::size_t i = 0; i < columns_.size(); ++i) {
-      if (!(fits_(kFitPlanar, static_cast<int>(i)) > 0.0)) continue;
-      const int cell = r * fine.columns + columns_[i] / fine.spacing;
-      fine.patch_at[static_cast<std::size_t>(cell)] = static_cast<int>(fine.patches.size());
-      fine.cells.push_back(cell);
-      fine.patches.push_back(patchOf(static_cast<int>(i), y));
-    }
+    addRow(depth, rays, r, half_window, parameters, fine);
   }
 }
 

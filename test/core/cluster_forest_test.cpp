@@ -24,55 +24,63 @@ SurfacePatch patchOn(const InverseDepthPlane& plane, double x, double y, Random&
   }
   patch.moments.scale(1e6);  // a tolerance of 0.001
   patch.squared_error = patch.moments.fit(patch.plane);
-  patch.is_planar = true;
   return patch;
 }
 
-ClusterForest fourPatches() {
-  Random random(3);
+/// Two patches of one plane, and one of another.
+class ThreePatches {
+ public:
+  ThreePatches() {
+    for (const SurfacePatch& patch : patches_) forest.add(patch, 0.1);
+  }
+
+ private:
+  Random random_{3};
+  const InverseDepthPlane near_{0.0, 0.0, 1.0}, far_{0.0, 0.0, 0.5};
+  const std::vector<SurfacePatch> patches_ = {
+      patchOn(near_, 0.0, 0.0, random_), patchOn(near_, 0.1, 0.0, random_), patchOn(far_, 0.2, 0.0, random_)};
+
+ public:
   ClusterForest forest;
-  const InverseDepthPlane near{0.0, 0.0, 1.0}, far{0.0, 0.0, 0.5};
-  forest.add(patchOn(near, 0.0, 0.0, random), 0.1);
-  forest.add(patchOn(near, 0.1, 0.0, random), 0.1);
-  forest.add(patchOn(far, 0.2, 0.0, random), 0.1);
-  forest.add(SurfacePatch{}, 0.1);
-  return forest;
-}
+};
 
 TEST(ClusterForest, StartsWithEachPatchForItself) {
-  ClusterForest forest = fourPatches();
-  ASSERT_EQ(forest.size(), 4);
-  for (int i = 0; i < 4; ++i) EXPECT_EQ(forest.find(i), i);
-  EXPECT_EQ(forest.cluster(0).patches, 1);
-  EXPECT_EQ(forest.cluster(3).patches, 0);
+  ThreePatches three;
+  ASSERT_EQ(three.forest.size(), 3);
+  for (int i = 0; i < 3; ++i) {
+    EXPECT_EQ(three.forest.find(i), i);
+    EXPECT_EQ(three.forest.patchesOf(i), 1);
+    EXPECT_EQ(three.forest.shareOf(i), 0.1);
+  }
 }
 
 TEST(ClusterForest, CostIsTheErrorThatACommonPlaneAddsToTheSmaller) {
-  const ClusterForest forest = fourPatches();
+  const ThreePatches three;
+  const ClusterForest& forest = three.forest;
   const double cost = forest.costOf(0, 1);
-  RegressionMoments both = forest.cluster(0).moments;
-  both += forest.cluster(1).moments;
+  RegressionMoments both = forest.fitOf(0).moments;
+  both += forest.fitOf(1).moments;
   InverseDepthPlane plane;
   const double together = both.fit(plane);
-  EXPECT_NEAR(cost, (together - forest.cluster(0).squared_error - forest.cluster(1).squared_error) / 20.0,
-              1e-9);
+  EXPECT_NEAR(cost, (together - forest.fitOf(0).squared_error - forest.fitOf(1).squared_error) / 20.0, 1e-9);
   EXPECT_LT(cost, 1.0);
   EXPECT_GT(forest.costOf(1, 2), 1.0);
   ClusterForest nothing;
-  nothing.add(SurfacePatch{}, 0.1);
-  nothing.add(SurfacePatch{}, 0.1);
+  const SurfacePatch empty;
+  nothing.add(empty, 0.1);
+  nothing.add(empty, 0.1);
   EXPECT_EQ(nothing.costOf(0, 1), std::numeric_limits<double>::max());
 }
 
 TEST(ClusterForest, MergesTheNeighborsThatLieInOnePlane) {
-  ClusterForest forest = fourPatches();
-  for (int i = 0; i < 3; ++i) forest.addPair(i, i + 1);
+  ThreePatches three;
+  ClusterForest& forest = three.forest;
+  for (int i = 0; i < 2; ++i) forest.addPair(i, i + 1);
   forest.addPair(0, 0);
   forest.mergePairs(8.0, kRounds);
   EXPECT_EQ(forest.find(0), forest.find(1));
   EXPECT_NE(forest.find(0), forest.find(2));
-  EXPECT_NE(forest.find(2), forest.find(3)) << "what is not planar merges with nothing";
-  EXPECT_EQ(forest.cluster(forest.find(0)).patches, 2);
+  EXPECT_EQ(forest.patchesOf(forest.find(0)), 2);
   forest.mergePairs(1e9, kRounds);
   EXPECT_NE(forest.find(0), forest.find(2)) << "pairs are forgotten";
 }
@@ -82,8 +90,10 @@ TEST(ClusterForest, WaitsForPairsThatAreDearAtFirst) {
   int dear = 0;
   for (std::uint64_t seed = 1; seed <= 300; ++seed) {
     Random random(seed);
+    std::vector<SurfacePatch> patches;
+    for (const double x : {0.0, 0.1, 0.2}) patches.push_back(patchOn({0.0, 0.0, 1.0}, x, 0.0, random));
     ClusterForest forest;
-    for (const double x : {0.0, 0.1, 0.2}) forest.add(patchOn({0.0, 0.0, 1.0}, x, 0.0, random), 0.1);
+    for (const SurfacePatch& patch : patches) forest.add(patch, 0.1);
     ClusterForest grown = forest;
     grown.merge(0, 1);
     const double limit = 1.01 * grown.costOf(0, 2), before = forest.costOf(0, 2);
@@ -98,7 +108,8 @@ TEST(ClusterForest, WaitsForPairsThatAreDearAtFirst) {
 }
 
 TEST(ClusterForest, CanBeCleared) {
-  ClusterForest forest = fourPatches();
+  ThreePatches three;
+  ClusterForest& forest = three.forest;
   forest.addPair(0, 1);
   forest.clear();
   EXPECT_EQ(forest.size(), 0);
@@ -115,8 +126,8 @@ TEST(ClusterForest, KnowsWhatItsClustersAreMadeOf) {
     for (int i = 0; i < 30; ++i) {
       const InverseDepthPlane plane{0.0, 0.0, random.integer(0, 1) == 0 ? 0.5 : 0.51};
       patches.push_back(patchOn(plane, 0.1 * i, 0.05 * (i % 5), random));
-      forest.add(patches.back(), 0.01);
     }
+    for (const SurfacePatch& patch : patches) forest.add(patch, 0.01);
     for (int i = 0; i < 60; ++i) forest.addPair(random.integer(0, 29), random.integer(0, 29));
     forest.mergePairs(8.0, kRounds);
     std::vector<RegressionMoments> sums(30);
@@ -129,11 +140,12 @@ TEST(ClusterForest, KnowsWhatItsClustersAreMadeOf) {
     for (int i = 0; i < 30; ++i) {
       const std::size_t k = static_cast<std::size_t>(i);
       if (forest.find(i) != i) continue;
-      EXPECT_EQ(forest.cluster(i).patches, counts[k]);
-      EXPECT_NEAR(forest.cluster(i).moments.ww, sums[k].ww, 1e-6 * sums[k].ww);
-      EXPECT_NEAR(forest.cluster(i).share, 0.01 * counts[k], 1e-12);
+      const PatchCluster cluster = forest.cluster(i);
+      EXPECT_EQ(cluster.patches, counts[k]);
+      EXPECT_NEAR(cluster.moments.ww, sums[k].ww, 1e-6 * sums[k].ww);
+      EXPECT_NEAR(cluster.share, 0.01 * counts[k], 1e-12);
       InverseDepthPlane plane;
-      EXPECT_NEAR(forest.cluster(i).squared_error, sums[k].fit(plane), 1e-4);
+      EXPECT_NEAR(cluster.squared_error, sums[k].fit(plane), 1e-4);
     }
   }
 }

@@ -20,7 +20,7 @@ struct Found : ClusteredImage {
   Creases creases;
 
   explicit Found(const DepthImage& depth) : ClusteredImage(depth, adaptiveParameters(kWidth)) {
-    creases.find(rays, levels.coarse, clusters, cluster_of);
+    creases.find(rays, levels.coarse, clusters, coarseClusters());
   }
 };
 
@@ -75,7 +75,7 @@ Fold foldAmong(std::size_t count) {
   clusters[0] = corner.clusters[0];
   clusters[1] = corner.clusters[1];
   Creases creases;
-  creases.find(corner.rays, corner.levels.coarse, clusters, corner.cluster_of);
+  creases.find(corner.rays, corner.levels.coarse, clusters, corner.coarseClusters());
   return creases.between(0, 1);
 }
 

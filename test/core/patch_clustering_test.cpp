@@ -113,7 +113,6 @@ TEST(PatchClusterer, FitsPlanesToCoarsePatchesUnlessTheyAreNarrow) {
       ASSERT_LT(k, static_cast<int>(found.clusters.size()));
       if (k < 0) continue;
       const SurfacePatch& patch = found.levels.patch(i);
-      ASSERT_TRUE(patch.is_planar);
       for (std::vector<PatchCluster>* sums : {&coarse, &all}) {
         if (sums == &coarse && i >= found.levels.firstFine()) continue;
         (*sums)[static_cast<std::size_t>(k)].moments += patch.moments;
@@ -149,7 +148,8 @@ TEST(PatchClusterer, FindsANarrowPlaneByFinePatches) {
   int fine = 0;
   for (int i = found.levels.firstFine(); i < found.levels.count(); ++i) {
     const int k = found.cluster_of[static_cast<std::size_t>(i)];
-    if (k < 0 || found.levels.u(i) < 150 || found.levels.u(i) > 160) continue;
+    const int u = found.levels.patch(i).u;
+    if (k < 0 || u < 150 || u > 160) continue;
     EXPECT_NEAR(1.0 / found.clusters[static_cast<std::size_t>(k)].plane.inverseDistance(), strip.d, 0.02);
     ++fine;
   }
@@ -161,7 +161,7 @@ TEST(PatchClusterer, FindsANarrowPlaneByFinePatches) {
 
 TEST(PatchClusterer, CallsExplainedWhatIsInAPlane) {
   const Clusters found(noisy(halves(surfaceAt(1.4), surfaceAt(1.5), kCamera, kWidth, kHeight)));
-  ASSERT_EQ(found.explained.size(), found.levels.coarse.patches.size());
+  ASSERT_EQ(found.explained.size(), found.levels.coarse.patch_at.size());
   EXPECT_NE(found.explained[static_cast<std::size_t>(found.levels.coarse.indexAt(60, 120))], 0);
   EXPECT_EQ(found.explained[static_cast<std::size_t>(found.levels.coarse.indexAt(160, 120))], 0);
 }
@@ -171,15 +171,14 @@ TEST(PatchClusterer, LooksAtClutterMoreCloselyBesidePlanesOnly) {
   DepthImage depth = blankDepth(kWidth, kHeight);
   paint(surfaceAt(1.5), kCamera, {156, 175, 106, 125}, depth);
   const Clusters alone(depth);
-  EXPECT_TRUE(
-      alone.levels.coarse.patches[static_cast<std::size_t>(alone.levels.coarse.indexAt(165, 115))].is_planar);
+  EXPECT_GE(alone.levels.coarse.patchAt(alone.levels.coarse.indexAt(165, 115)), 0);
   EXPECT_TRUE(alone.levels.fine.patches.empty());
 
   paint(surfaceAt(2.0), kCamera, {0, 150, 0, kHeight}, depth);
   const Clusters beside(depth);
   int fine = 0;
   for (int i = beside.levels.firstFine(); i < beside.levels.count(); ++i)
-    fine += beside.levels.u(i) >= 156 && beside.levels.u(i) < 175 ? 1 : 0;
+    fine += beside.levels.patch(i).u >= 156 && beside.levels.patch(i).u < 175 ? 1 : 0;
   EXPECT_GE(fine, 4);
 }
 

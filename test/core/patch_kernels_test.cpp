@@ -23,12 +23,8 @@ namespace scalar = ::scalar_twin::line_plane_segmentation;
 class Crossings {
  public:
   explicit Crossings(Random& random) : count_(random.integer(1, 40)), y_(random.uniform(-0.4, 0.4)) {
-    rows_.setZero(count_);
-    columns_.setZero(count_);
-    twin_rows_ = rows_;
-    twin_columns_ = columns_;
+    for (WindowSums* sums : {&rows_, &columns_, &twin_rows_, &twin_columns_}) sums->resize(count_);
     pixels_.resize(static_cast<std::size_t>(count_));
-    std::vector<float> z(pixels_.size()), t(pixels_.size());
     std::vector<InverseDepthPlane> planes(pixels_.size());
     for (InverseDepthPlane& plane : planes) {
       plane = {random.uniform(-0.5, 0.5), random.uniform(-0.5, 0.5), random.uniform(0.3, 1.5)};
@@ -36,20 +32,22 @@ class Crossings {
     }
     for (const bool along_row : {true, false}) {
       const double step = random.chance(0.3) ? 0.05 : 0.0;
+      std::vector<float> z, t;
       for (int k = -5; k <= 5; ++k) {
         for (std::size_t i = 0; i < pixels_.size(); ++i) {
           const double x = static_cast<double>(x_[i]) + (along_row ? 0.002 * k : 0.0);
           const double y = y_ + (along_row ? 0.0 : 0.002 * k);
           const double w =
               planes[i].at(x, y) + random.uniform(-0.002, 0.002) + (k > 0 && i % 3 == 0 ? step : 0.0);
-          z[i] = random.chance(i % 4 == 0 ? 0.5 : 0.05) || w <= 0.0 ? 0.0F : static_cast<float>(1.0 / w);
-          t[i] = static_cast<float>(along_row ? x : y);
-          add(i, z[i], along_row ? static_cast<double>(t[i]) : static_cast<double>(x_[i]),
-              along_row ? y_ : static_cast<double>(t[i]), along_row);
+          const bool is_hole = random.chance(i % 4 == 0 ? 0.5 : 0.05) || w <= 0.0;
+          z.push_back(is_hole ? 0.0F : static_cast<float>(1.0 / w));
+          t.push_back(static_cast<float>(along_row ? x : y));
+          add(i, z.back(), along_row ? static_cast<double>(t.back()) : static_cast<double>(x_[i]),
+              along_row ? y_ : static_cast<double>(t.back()), along_row);
         }
-        addPixels(z.data(), t.data(), count_, lanesFrom(0, along_row ? rows_ : columns_));
-        scalar::addPixels(z.data(), t.data(), count_, lanesFrom(0, along_row ? twin_rows_ : twin_columns_));
       }
+      sumPixels(z.data(), t.data(), 11, count_, lanesFrom(0, along_row ? rows_ : columns_));
+      scalar::sumPixels(z.data(), t.data(), 11, count_, lanesFrom(0, along_row ? twin_rows_ : twin_columns_));
     }
   }
 
@@ -181,15 +179,18 @@ TEST(PatchKernels, WindowsThatFixNoPlaneAreNotPlanar) {
   expectNone();
 
   // All pixels of a row's window at one ray, as of an image without a focal length.
-  const std::vector<float> z(3, 1.0F);
-  for (int k = 0; k < 9; ++k) addPixels(z.data(), x.data(), 3, lanesFrom(0, nothing));
-  WindowSums columns = nothing;
+  const std::vector<float> z(27, 1.0F), t(27, 0.1F);
+  WindowSums rows;
+  rows.resize(3);
+  sumPixels(z.data(), t.data(), 9, 3, lanesFrom(0, rows));
   forget();
-  fitCrossings(lanesFrom(0, nothing), lanesFrom(0, columns), x.data(), 0.1, 3, bounds, fits);
+  fitCrossings(lanesFrom(0, rows), lanesFrom(0, rows), x.data(), 0.1, 3, bounds, fits);
   expectNone();
 
-  fitCrossings(lanesFrom(0, nothing), lanesFrom(0, columns), x.data(), 0.1, 0, bounds, fits);
-  addPixels(nullptr, nullptr, 0, lanesFrom(0, columns));
+  fitCrossings(lanesFrom(0, rows), lanesFrom(0, rows), x.data(), 0.1, 0, bounds, fits);
+  sumPixels(nullptr, nullptr, 0, 0, lanesFrom(0, rows));
+  sumPixels(nullptr, nullptr, 0, 3, lanesFrom(0, rows));
+  for (int i = 0; i < 3; ++i) EXPECT_EQ(lanesFrom(0, rows)[i].n, 0.0);
 }
 
 }  // namespace

@@ -28,7 +28,7 @@ struct Assignment : ClusteredImage {
 
   Assignment(const DepthImage& image, const Parameters& p, PixelAssigner& assigner)
       : ClusteredImage(image, p), depth(image), parameters(p) {
-    creases.find(rays, levels.coarse, clusters, cluster_of);
+    creases.find(rays, levels.coarse, clusters, coarseClusters());
     assign(assigner);
   }
 
@@ -63,8 +63,8 @@ struct Assignment : ClusteredImage {
       const int columns = is_coarse ? levels.coarse.columns : levels.fine.columns;
       const int rows = is_coarse ? levels.coarse.rows : levels.fine.rows;
       const int column = std::min(u / spacing, columns - 1), row = std::min(v / spacing, rows - 1);
-      if (std::abs(levels.u(i) / spacing - column) <= 1 && std::abs(levels.v(i) / spacing - row) <= 1)
-        return true;
+      const SurfacePatch& patch = levels.patch(i);
+      if (std::abs(patch.u / spacing - column) <= 1 && std::abs(patch.v / spacing - row) <= 1) return true;
     }
     return false;
   }

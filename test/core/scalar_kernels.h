@@ -19,7 +19,7 @@ decltype(::line_plane_segmentation::appendMarked) appendMarked;
 decltype(::line_plane_segmentation::prepareRow) prepareRow;
 decltype(::line_plane_segmentation::assignIfBetter) assignIfBetter;
 decltype(::line_plane_segmentation::addRun) addRun;
-decltype(::line_plane_segmentation::addPixels) addPixels;
+decltype(::line_plane_segmentation::sumPixels) sumPixels;
 decltype(::line_plane_segmentation::fitCrossings) fitCrossings;
 
 }  // namespace line_plane_segmentation

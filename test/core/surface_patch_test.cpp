@@ -59,14 +59,15 @@ PatchLevels refineAll(const DepthImage& depth, const Parameters& parameters, std
   PatchDetector detector;
   PatchLevels levels;
   detector.detect(depth, rays, parameters, levels.coarse);
-  detector.refine(depth, rays, parameters, std::vector<std::uint8_t>(levels.coarse.patches.size(), explained),
-                  levels);
+  detector.refine(depth, rays, parameters,
+                  std::vector<std::uint8_t>(levels.coarse.patch_at.size(), explained), levels);
   return levels;
 }
 
-int planarCount(const PatchGrid& grid) {
-  return static_cast<int>(std::count_if(grid.patches.begin(), grid.patches.end(),
-                                        [](const SurfacePatch& p) { return p.is_planar; }));
+/// The patch of a crossing, or null.
+const SurfacePatch* patchAt(const PatchGrid& grid, int column, int row) {
+  const int patch = grid.patchAt(grid.indexOf(column, row));
+  return patch < 0 ? nullptr : &grid.patches[static_cast<std::size_t>(patch)];
 }
 
 TEST(PatchDetector, IsLeastSquaresOverTheWindowsOfTwoScanlines) {
@@ -88,13 +89,13 @@ TEST(PatchDetector, IsLeastSquaresOverTheWindowsOfTwoScanlines) {
                                    parameters.patches.patch_distance};
     for (int r = 0; r < grid.rows; ++r) {
       for (int c = 0; c < grid.columns; ++c) {
-        const SurfacePatch& patch = grid.patches[static_cast<std::size_t>(grid.indexOf(c, r))];
+        const SurfacePatch* const patch = patchAt(grid, c, r);
         const std::vector<Eigen::Vector3d> row =
             windowPixels(depth, rays, grid.pixelOf(c), grid.pixelOf(r), half, 0);
         const std::vector<Eigen::Vector3d> column =
             windowPixels(depth, rays, grid.pixelOf(c), grid.pixelOf(r), 0, half);
         if (static_cast<double>(std::min(row.size(), column.size())) < min_points) {
-          ASSERT_FALSE(patch.is_planar) << seed;
+          ASSERT_EQ(patch, nullptr) << seed;
           ++others;
           continue;
         }
@@ -111,15 +112,17 @@ TEST(PatchDetector, IsLeastSquaresOverTheWindowsOfTwoScanlines) {
                       squaredErrorOf(column, false, true, plane) / static_cast<double>(column.size())}) /
             (parameters.patches.patch_flatness * bound);
         if (std::abs(worst - 1.0) < 1e-6) continue;  // rounding may decide
-        ASSERT_EQ(patch.is_planar, worst < 1.0) << seed;
-        (patch.is_planar ? planar : others) += 1;
-        if (!patch.is_planar) continue;
-        ASSERT_NEAR(patch.plane.a, plane.x(), 1e-7);
-        ASSERT_NEAR(patch.plane.b, plane.y(), 1e-7);
-        ASSERT_NEAR(patch.plane.c, plane.z(), 1e-7);
-        ASSERT_NEAR(patch.squared_error, squared_error / bound, 1e-6 * (1.0 + patch.squared_error));
-        ASSERT_EQ(patch.moments.pixels, static_cast<double>(both.size()));
-        ASSERT_NEAR(patch.moments.one * bound, patch.moments.pixels, 1e-6) << "weighed by the tolerance";
+        ASSERT_EQ(patch != nullptr, worst < 1.0) << seed;
+        (patch != nullptr ? planar : others) += 1;
+        if (patch == nullptr) continue;
+        ASSERT_EQ(patch->u, grid.pixelOf(c));
+        ASSERT_EQ(patch->v, grid.pixelOf(r));
+        ASSERT_NEAR(patch->plane.a, plane.x(), 1e-7);
+        ASSERT_NEAR(patch->plane.b, plane.y(), 1e-7);
+        ASSERT_NEAR(patch->plane.c, plane.z(), 1e-7);
+        ASSERT_NEAR(patch->squared_error, squared_error / bound, 1e-6 * (1.0 + patch->squared_error));
+        ASSERT_EQ(patch->moments.pixels, static_cast<double>(both.size()));
+        ASSERT_NEAR(patch->moments.one * bound, patch->moments.pixels, 1e-6) << "weighed by the tolerance";
       }
     }
   }
@@ -136,7 +139,9 @@ TEST(PatchDetector, LaysItsGridOverTheWholeImage) {
     for (int u = 3; u < width; u += 7) EXPECT_EQ(grid.pixelOf(columns++), u);
     EXPECT_EQ(grid.columns, columns) << width;
     EXPECT_EQ(grid.rows, 4);
-    EXPECT_EQ(grid.patches.size(), static_cast<std::size_t>(grid.columns * grid.rows));
+    EXPECT_EQ(grid.patch_at.size(), static_cast<std::size_t>(grid.columns * grid.rows));
+    EXPECT_EQ(grid.has_line.size(), grid.patch_at.size());
+    EXPECT_TRUE(grid.patches.empty());
   }
 }
 
@@ -147,11 +152,10 @@ TEST(PatchDetector, FindsThePlaneOfANoisySurface) {
   addNoise({}, 1.0, random, depth);
   const PatchGrid grid = detect(depth, adaptiveParameters(320));
   // All but the corners, whose windows are cut in half.
-  EXPECT_GT(planarCount(grid), 0.85 * grid.columns * grid.rows);
+  EXPECT_GT(grid.patches.size(), 0.85 * grid.crossings());
   double mean_d = 0.0;
-  for (const SurfacePatch& patch : grid.patches) {
-    if (patch.is_planar) mean_d += 1.0 / patch.plane.inverseDistance() / planarCount(grid);
-  }
+  for (const SurfacePatch& patch : grid.patches)
+    mean_d += 1.0 / patch.plane.inverseDistance() / static_cast<double>(grid.patches.size());
   EXPECT_NEAR(mean_d, surface.d, 0.02);
 }
 
@@ -165,7 +169,7 @@ TEST(PatchDetector, FindsNoPlaneAcrossAStepOrACrease) {
     const PatchGrid grid = detect(depth, parameters);
     for (int c = 0; c < grid.columns; ++c) {
       const int distance = std::abs(2 * grid.pixelOf(c) - 319) / 2;  // [px] to the edge
-      const bool is_planar = grid.patches[static_cast<std::size_t>(grid.indexOf(c, grid.rows / 2))].is_planar;
+      const bool is_planar = patchAt(grid, c, grid.rows / 2) != nullptr;
       const bool has_room = grid.pixelOf(c) >= 7 && grid.pixelOf(c) < 313;
       if (distance < 3) {
         EXPECT_FALSE(is_planar) << is_step << ' ' << c;
@@ -178,7 +182,7 @@ TEST(PatchDetector, FindsNoPlaneAcrossAStepOrACrease) {
 }
 
 TEST(PatchDetector, FindsNothingWithoutDepth) {
-  EXPECT_EQ(planarCount(detect(blankDepth(320, 240), adaptiveParameters(320))), 0);
+  EXPECT_TRUE(detect(blankDepth(320, 240), adaptiveParameters(320)).patches.empty());
   EXPECT_TRUE(detect(blankDepth(0, 0), adaptiveParameters(320)).patches.empty());
   EXPECT_TRUE(detect(blankDepth(3, 3), adaptiveParameters(320)).patches.empty())
       << "before the first scanline";
@@ -193,12 +197,11 @@ TEST(PatchDetector, RefinesWhereThereAreLines) {
   ASSERT_GT(levels.fine.patches.size(), levels.coarse.patches.size());
   for (int i = levels.firstFine(); i < levels.count(); ++i) {
     const SurfacePatch& patch = levels.patch(i);
-    ASSERT_TRUE(patch.is_planar);
     EXPECT_NEAR(1.0 / patch.plane.inverseDistance(), surface.d, 1e-3);
     const int cell = levels.fine.cells[static_cast<std::size_t>(i - levels.firstFine())];
     EXPECT_EQ(levels.fine.patchAt(cell), i - levels.firstFine());
-    EXPECT_EQ(levels.u(i), levels.fine.pixelOf(cell % levels.fine.columns));
-    EXPECT_EQ(levels.v(i), levels.fine.pixelOf(cell / levels.fine.columns));
+    EXPECT_EQ(patch.u, levels.fine.pixelOf(cell % levels.fine.columns));
+    EXPECT_EQ(patch.v, levels.fine.pixelOf(cell / levels.fine.columns));
   }
 }
 

@@ -20,7 +20,17 @@ struct ClusteredImage {
   ClusteredImage(const DepthImage& depth, const Parameters& parameters);
 
   /// The cluster of the coarse patch nearest to a pixel, or -1.
-  int at(int u, int v) const { return cluster_of[static_cast<std::size_t>(levels.coarse.indexAt(u, v))]; }
+  int at(int u, int v) const {
+    const int patch = levels.coarse.patchAt(levels.coarse.indexAt(u, v));
+    return patch < 0 ? -1 : cluster_of[static_cast<std::size_t>(patch)];
+  }
+
+  /// Of each coarse crossing the cluster of its patch, or -1.
+  std::vector<int> coarseClusters() const {
+    std::vector<int> cluster_at;
+    levels.coarse.spread(cluster_of, 0, cluster_at);
+    return cluster_at;
+  }
 };
 
 }  // namespace line_plane_segmentation
