@@ -76,16 +76,15 @@ struct RegressionMoments {
 };
 
 inline bool RegressionMoments::fit(InverseDepthPlane& plane, double& squared_error) const {
-  const double share = 1.0 / one;
-  const double x_mean = x * share, y_mean = y * share, w_mean = w * share;
-  const double cxx = xx - x * x_mean, cxy = xy - x * y_mean, cyy = yy - y * y_mean;
-  const double cxw = xw - x * w_mean, cyw = yw - y * w_mean, cww = ww - w * w_mean;
+  // The centred moments, times `one`: so no division waits for another.
+  const double cxx = one * xx - x * x, cxy = one * xy - x * y, cyy = one * yy - y * y;
+  const double cxw = one * xw - x * w, cyw = one * yw - y * w, cww = one * ww - w * w;
   const double determinant = cxx * cyy - cxy * cxy;
-  const double inverse = 1.0 / determinant;
+  const double inverse = 1.0 / determinant, share = 1.0 / one;
   plane.a = (cyy * cxw - cxy * cyw) * inverse;
   plane.b = (cxx * cyw - cxy * cxw) * inverse;
-  plane.c = w_mean - plane.a * x_mean - plane.b * y_mean;
-  squared_error = std::max(0.0, cww - plane.a * cxw - plane.b * cyw);
+  plane.c = (w - plane.a * x - plane.b * y) * share;
+  squared_error = std::max(0.0, (cww - plane.a * cxw - plane.b * cyw) * share);
   // Not so of no pixels, either, of which nothing is a number.
   return determinant > 1e-9 * cxx * cyy;
 }
