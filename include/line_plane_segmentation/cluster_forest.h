@@ -79,7 +79,6 @@ class ClusterForest {
                       ///< first
   };
 
-  static double costOf(const FittedPixels& a, const FittedPixels& b, double squared_error);
   void replace(int a, int b, const FittedPixels& both);
   bool mergeIfCheaper(Pair& pair, double limit);
 
