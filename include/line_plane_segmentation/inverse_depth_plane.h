@@ -48,8 +48,8 @@ struct RegressionMoments {
   double xw = 0.0, yw = 0.0, w = 0.0, ww = 0.0;
   double pixels = 0.0;  ///< unweighted
 
-  // This and fit() are in the header since clusters ask them thousands of times a frame for sums that nobody
-  // keeps.
+  // These and fit() are in the header since they are asked thousands of times a frame, many for sums that
+  // nobody keeps.
   RegressionMoments operator+(const RegressionMoments& o) const {
     return {xx + o.xx, xy + o.xy, yy + o.yy, x + o.x,   y + o.y,          one + o.one,
             xw + o.xw, yw + o.yw, w + o.w,   ww + o.ww, pixels + o.pixels};
@@ -57,7 +57,10 @@ struct RegressionMoments {
   RegressionMoments& operator+=(const RegressionMoments& other) { return *this = *this + other; }
 
   /// Multiplies the weight of every pixel.
-  void scale(double weight);
+  void scale(double weight) {
+    *this = {xx * weight, xy * weight, yy * weight, x * weight,  y * weight, one * weight,
+             xw * weight, yw * weight, w * weight,  ww * weight, pixels};
+  }
 
   /// The sum of squared errors of the pixels to a plane of any kind.
   double squaredErrorTo(const InverseDepthPlane& plane) const;

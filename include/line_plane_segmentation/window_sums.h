@@ -96,16 +96,33 @@ inline WindowLanes lanesFrom(int window, WindowSums& sums) {
 }
 
 /// What is fitted to windows that cross, a row's and a column's. One lane a crossing, a row for each Fit.
-using CrossingFits = LaneTable<7>;
+using CrossingFits = LaneTable<17>;
 
 enum Fit : int {
-  kFitA,  ///< of the InverseDepthPlane
+  kFitXx,  ///< the RegressionMoments of the pixels of both windows, in their order
+  kFitXy,
+  kFitYy,
+  kFitX,
+  kFitY,
+  kFitOne,
+  kFitXw,
+  kFitYw,
+  kFitW,
+  kFitWw,
+  kFitPixels,
+  kFitA,  ///< the InverseDepthPlane
   kFitB,
   kFitC,
-  kFitSquaredError,  ///< of the pixels of both windows to the plane
-  kFitTolerance,     ///< of their inverse depths
+  kFitSquaredError,  ///< of the pixels to the plane, in tolerances squared
   kFitLines,         ///< how many of the two windows are straight: 0, 1, 2; 0 if the pixels fix no plane
   kFitPlanar,        ///< 1: both are, and lie in the plane; else 0
 };
+
+/// The moments of a crossing.
+inline RegressionMoments momentsOf(const CrossingFits& fits, int lane) {
+  return {fits(kFitXx, lane), fits(kFitXy, lane),  fits(kFitYy, lane),    fits(kFitX, lane),
+          fits(kFitY, lane),  fits(kFitOne, lane), fits(kFitXw, lane),    fits(kFitYw, lane),
+          fits(kFitW, lane),  fits(kFitWw, lane),  fits(kFitPixels, lane)};
+}
 
 }  // namespace line_plane_segmentation

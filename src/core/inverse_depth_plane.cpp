@@ -3,10 +3,6 @@
 
 namespace line_plane_segmentation {
 
-void RegressionMoments::scale(double weight) {
-  for (double* sum : {&xx, &xy, &yy, &x, &y, &one, &xw, &yw, &w, &ww}) *sum *= weight;
-}
-
 double RegressionMoments::squaredErrorTo(const InverseDepthPlane& p) const {
   const double squares = p.a * p.a * xx + p.b * p.b * yy + p.c * p.c * one;
   const double products = p.a * p.b * xy + p.a * p.c * x + p.b * p.c * y;

@@ -71,13 +71,17 @@ void fitCrossings(const WindowLanes& rows, const WindowLanes& columns, const flo
                   const CrossingBounds& bounds, CrossingFits& fits) {
   const WindowLanes row_windows = rows, column_windows = columns;
   const CrossingBounds bound = bounds;
+  double *const xx = fits.row(kFitXx), *const xy = fits.row(kFitXy), *const yy = fits.row(kFitYy);
+  double *const mx = fits.row(kFitX), *const my = fits.row(kFitY), *const one = fits.row(kFitOne);
+  double *const xw = fits.row(kFitXw), *const yw = fits.row(kFitYw), *const mw = fits.row(kFitW);
+  double *const ww = fits.row(kFitWw), *const pixels = fits.row(kFitPixels);
   double *const plane_a = fits.row(kFitA), *const plane_b = fits.row(kFitB), *const plane_c = fits.row(kFitC);
-  double *const squared_errors = fits.row(kFitSquaredError), *const tolerances = fits.row(kFitTolerance);
+  double* const squared_errors = fits.row(kFitSquaredError);
   double *const straight_lines = fits.row(kFitLines), *const planar = fits.row(kFitPlanar);
   LPS_INDEPENDENT
   for (int i = 0; i < count; ++i) {
     const LineSums row = row_windows[i], column = column_windows[i];
-    const RegressionMoments moments = momentsOfCrossing(row, column, static_cast<double>(x[i]), y);
+    RegressionMoments moments = momentsOfCrossing(row, column, static_cast<double>(x[i]), y);
     InverseDepthPlane plane;
     double squared_error = 0.0;
     const bool is_plane = moments.fit(plane, squared_error);
@@ -89,11 +93,23 @@ void fitCrossings(const WindowLanes& rows, const WindowLanes& columns, const flo
     const double lines = (row_is_straight ? 1.0 : 0.0) + (column_is_straight ? 1.0 : 0.0);
     const bool is_planar =
         is_fixed & row_is_straight & column_is_straight & (squared_error < flat * moments.pixels);
+    const double weight = 1.0 / (tolerance * tolerance);
+    moments.scale(weight);
+    xx[i] = moments.xx;
+    xy[i] = moments.xy;
+    yy[i] = moments.yy;
+    mx[i] = moments.x;
+    my[i] = moments.y;
+    one[i] = moments.one;
+    xw[i] = moments.xw;
+    yw[i] = moments.yw;
+    mw[i] = moments.w;
+    ww[i] = moments.ww;
+    pixels[i] = moments.pixels;
     plane_a[i] = plane.a;
     plane_b[i] = plane.b;
     plane_c[i] = plane.c;
-    squared_errors[i] = squared_error;
-    tolerances[i] = tolerance;
+    squared_errors[i] = squared_error * weight;
     straight_lines[i] = is_fixed ? lines : 0.0;
     planar[i] = is_planar ? 1.0 : 0.0;
   }

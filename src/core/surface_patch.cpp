@@ -114,12 +114,9 @@ void PatchDetector::addRow(const DepthImage& depth, const ViewRays& rays, int ro
     SurfacePatch& patch = grid.patches.emplace_back();
     patch.u = u;
     patch.v = v;
+    patch.moments = momentsOf(fits_, lane);
     patch.plane = {fits_(kFitA, lane), fits_(kFitB, lane), fits_(kFitC, lane)};
-    const double weight = 1.0 / (fits_(kFitTolerance, lane) * fits_(kFitTolerance, lane));
-    patch.squared_error = fits_(kFitSquaredError, lane) * weight;
-    patch.moments = momentsOfCrossing(lanesFrom(lane, row_sums_)[0], lanesFrom(lane, column_sums_)[0],
-                                      static_cast<double>(x_[static_cast<std::size_t>(lane)]), y);
-    patch.moments.scale(weight);
+    patch.squared_error = fits_(kFitSquaredError, lane);
   }
 }
 

@@ -89,6 +89,16 @@ double squaredErrorOfLine(const std::vector<Eigen::Vector2d>& points) {
   return error;
 }
 
+/// Whether moments are those expected times a weight.
+bool areNear(const RegressionMoments& moments, const RegressionMoments& expected, double weight) {
+  const auto isNear = [weight](double a, double b) { return std::abs(a - b * weight) < 1e-9 * weight; };
+  return isNear(moments.xx, expected.xx) && isNear(moments.xy, expected.xy) &&
+         isNear(moments.yy, expected.yy) && isNear(moments.x, expected.x) && isNear(moments.y, expected.y) &&
+         isNear(moments.one, expected.one) && isNear(moments.xw, expected.xw) &&
+         isNear(moments.yw, expected.yw) && isNear(moments.w, expected.w) &&
+         isNear(moments.ww, expected.ww) && moments.pixels == expected.pixels;
+}
+
 TEST(PatchKernels, SumsAreThoseOfThePixelsWithADepth) {
   for (std::uint64_t seed = 1; seed <= 100; ++seed) {
     Random random(seed);
@@ -143,9 +153,10 @@ TEST(PatchKernels, CrossingsAreLeastSquares) {
       ASSERT_NEAR(fits(kFitA, lane), plane.a, 1e-7);
       ASSERT_NEAR(fits(kFitB, lane), plane.b, 1e-7);
       ASSERT_NEAR(fits(kFitC, lane), plane.c, 1e-7);
-      ASSERT_NEAR(fits(kFitSquaredError, lane), squared_error, 1e-10);
       const double tolerance = bounds.tolerance.at(pixels.both.w / pixels.both.one, plane.inverseDistance());
-      ASSERT_NEAR(fits(kFitTolerance, lane), tolerance, 1e-9);
+      const double weight = 1.0 / (tolerance * tolerance);
+      ASSERT_NEAR(fits(kFitSquaredError, lane), squared_error * weight, 1e-10 * weight);
+      ASSERT_TRUE(areNear(momentsOf(fits, lane), pixels.both, weight));
       const double flat = bounds.flatness * tolerance * tolerance;
       const double row = squaredErrorOfLine(pixels.row) / (flat * static_cast<double>(pixels.row.size()));
       const double column =
@@ -169,7 +180,7 @@ TEST(PatchKernels, WindowsThatFixNoPlaneAreNotPlanar) {
   WindowSums nothing;
   nothing.setZero(3);
   CrossingFits fits;
-  const auto forget = [&fits] { fits.resize(3), std::fill_n(fits.row(0), 7 * 3, 1.0); };
+  const auto forget = [&fits] { fits.resize(3), std::fill_n(fits.row(0), 17 * 3, 1.0); };
   const auto expectNone = [&fits] {
     for (int i = 0; i < 3; ++i) EXPECT_EQ(fits(kFitLines, i) + fits(kFitPlanar, i), 0.0);
   };
