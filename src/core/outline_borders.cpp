@@ -55,13 +55,16 @@ void BorderFollower::follow(const std::uint16_t* labels, const LabelRuns& runs, 
     return static_cast<unsigned>(value - 1) < static_cast<unsigned>(label_count);
   };
   for (const LabelRun& run : runs.runs) {
-    // A part's first pixel differs from its left and its upper neighbour, and so does a hole's.
+    // A part's first pixel differs from its left and its upper neighbour, and so does a hole's. Nearly all
+    // runs start nothing, so that is asked in one condition.
     const int x = run.first, y = run.row;
+    const std::ptrdiff_t to_left = x > 0 ? 1 : 0, to_above = y > 0 ? width : 0;
     const std::uint16_t* const here = labels + pixelAt(x, y);
-    const std::uint16_t above = y > 0 ? here[-width] : std::uint16_t{0};
-    if (*here == above) continue;
-    const bool is_reflex = x > 0 && is_label(above) && here[-1] == above && here[-width - 1] == above;
-    const int kinds = (is_label(*here) ? kConvex : 0) | (is_reflex ? kReflex : 0);
+    const std::uint16_t left = here[-to_left], above_left = here[-to_above - to_left];
+    const std::uint16_t above = y > 0 ? here[-to_above] : std::uint16_t{0};
+    const bool is_convex = is_label(*here) & (*here != above);
+    const bool is_reflex = is_label(above) & (above == left) & (above == above_left) & (*here != above);
+    const int kinds = (is_convex ? kConvex : 0) | (is_reflex ? kReflex : 0);
     const std::size_t pixel = pixelAt(x, y);
     if ((kinds & ~seenAt(pixel)) == 0) continue;
     if ((kinds & ~seenAt(pixel) & kConvex) != 0) followFrom(x, y, kDown);

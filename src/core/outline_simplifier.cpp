@@ -5,6 +5,8 @@
 #include <array>
 #include <utility>
 
+#include "multiversion.h"
+
 namespace line_plane_segmentation {
 namespace {
 
@@ -42,6 +44,7 @@ struct Deviation {
   std::size_t farthest = 0;
 };
 
+LPS_MULTIVERSION
 Deviation deviationOf(const Corner* corners, std::size_t first, std::size_t last, Corner from, Corner along) {
   // With the index in the lower bits, so that the loop has no branch, which would be mispredicted. The cross
   // products are below twice the number of pixels.
@@ -59,6 +62,10 @@ Deviation deviationOf(const Corner* corners, std::size_t first, std::size_t last
   deviation.farthest = first + static_cast<std::size_t>(-deviation.min > deviation.max ? at_min : at_max);
   return deviation;
 }
+
+/// The bits of a word of corners from a column on, and up to one.
+std::uint64_t fromColumn(int x) { return ~std::uint64_t{0} << (x % 64); }
+std::uint64_t upToColumn(int x) { return ~std::uint64_t{0} >> (63 - x % 64); }
 
 /// Cross product with a chord up to which points are too near it.
 double clearanceOf(Corner along) {
@@ -215,12 +222,13 @@ bool BorderSimplifier::sweepsFree(const Corner* corners, const Piece& piece, std
   int others = 0;
   for (int y = low.y; y <= high.y; ++y) {
     int left = low.x, right = high.x;
-    if (!strip.clipRow(y, left, right)) continue;
+    // Most rows hold no corner of others at all, which is found out sooner.
+    if (!isPassedIn(y, left, right) || !strip.clipRow(y, left, right)) continue;
     const std::size_t first_word = wordOf(left, y), last_word = wordOf(right, y);
     for (std::size_t word = first_word; word <= last_word; ++word) {
       std::uint64_t bits = once_[word];
-      if (word == first_word) bits &= ~std::uint64_t{0} << (left % 64);
-      if (word == last_word) bits &= ~std::uint64_t{0} >> (63 - right % 64);
+      if (word == first_word) bits &= fromColumn(left);
+      if (word == last_word) bits &= upToColumn(right);
       for (int x = static_cast<int>(word % words_per_row_) * 64; bits != 0; ++x, bits >>= 1) {
         if ((bits & 1) == 0) continue;
         if (++others > kMaxOthers || sweepsOver(corners, piece, {x, y})) return false;
@@ -228,6 +236,15 @@ bool BorderSimplifier::sweepsFree(const Corner* corners, const Piece& piece, std
     }
   }
   return true;
+}
+
+/// Whether borders pass any corner of row y in the columns left to right, both included.
+bool BorderSimplifier::isPassedIn(int y, int left, int right) const {
+  const std::size_t first_word = wordOf(left, y), last_word = wordOf(right, y);
+  if (first_word == last_word) return (once_[first_word] & fromColumn(left) & upToColumn(right)) != 0;
+  std::uint64_t bits = (once_[first_word] & fromColumn(left)) | (once_[last_word] & upToColumn(right));
+  for (std::size_t word = first_word + 1; word < last_word; ++word) bits |= once_[word];
+  return bits != 0;
 }
 
 /// Whether a corner of another piece is nearly on the chord, or enclosed by the piece and its chord.

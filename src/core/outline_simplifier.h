@@ -47,6 +47,7 @@ class BorderSimplifier {
                     std::int64_t max_cross);
   bool sweepsFree(const Corner* corners, const Piece& piece, std::int64_t min_cross,
                   std::int64_t max_cross) const;
+  bool isPassedIn(int y, int left, int right) const;
   bool sweepsOver(const Corner* corners, const Piece& piece, Corner corner) const;
   Eigen::Vector2d insetAt(Corner before, Corner corner, Corner after) const;
 
