@@ -36,9 +36,9 @@ class RegionCleaner {
     int border = 0, held = 0;  ///< [px] that it shares with large pieces, and of them with the heir
     double error = 0.0;        ///< its pixels' errors to the heir's plane, in tolerances
   };
-  /// Two runs with depths and of different labels, one above the other.
+  /// Two runs with depths and of different labels, the first one above or to the left of the second.
   struct Border {
-    int above, below;
+    int first, second;
   };
   /// Pixels of a small piece that touch a large one.
   struct Contact {
@@ -50,6 +50,7 @@ class RegionCleaner {
   int find(int run);
   void connect(const LabelRuns& image);
   void listPieces(int min_region_pixels, const LabelRuns& image);
+  void keepBordersOfSmall();
   void findContacts(const DepthImage& depth, const Parameters& parameters, const LabelRuns& image);
   void chooseHeirs();
   void dropFarHeirs(const DepthImage& depth, const ViewRays& rays, const std::vector<PatchCluster>& clusters,

@@ -47,7 +47,7 @@ void RegionCleaner::connect(const LabelRuns& image) {
   const std::size_t count = image.runs.size();
   piece_of_.resize(count);
   std::iota(piece_of_.begin(), piece_of_.end(), 0);
-  if (borders_.size() < 2 * count) borders_.resize(2 * count);  // each contact is the last of a run
+  if (borders_.size() < 3 * count) borders_.resize(3 * count);
   border_count_ = 0;
   forEachVerticalContact(image, [&](std::size_t above, std::size_t below, int) {
     const std::uint16_t label = image.runs[above].label, label_below = image.runs[below].label;
@@ -59,6 +59,12 @@ void RegionCleaner::connect(const LabelRuns& image) {
     const int a = find(static_cast<int>(above)), b = find(static_cast<int>(below));
     piece_of_[static_cast<std::size_t>(std::max(a, b))] = std::min(a, b);
   });
+  for (std::size_t i = 1; i < count; ++i) {
+    const LabelRun &left = image.runs[i - 1], &right = image.runs[i];
+    const bool have_depth = std::max(left.label, right.label) != kNoDepthLabel;
+    borders_[border_count_] = {static_cast<int>(i) - 1, static_cast<int>(i)};
+    border_count_ += static_cast<std::size_t>((left.row == right.row) & have_depth);
+  }
 }
 
 void RegionCleaner::listPieces(int min_region_pixels, const LabelRuns& image) {
@@ -83,40 +89,38 @@ void RegionCleaner::listPieces(int min_region_pixels, const LabelRuns& image) {
   }
 }
 
+// Keeps the borders between small and large pieces.
+void RegionCleaner::keepBordersOfSmall() {
+  const auto isSmall = [this](int run) {
+    return pieces_[static_cast<std::size_t>(piece_of_[static_cast<std::size_t>(run)])].is_small;
+  };
+  std::size_t kept = 0;
+  for (std::size_t k = 0; k < border_count_; ++k) {
+    const Border border = borders_[k];
+    borders_[kept] = border;
+    kept += isSmall(border.first) != isSmall(border.second) ? 1U : 0U;
+  }
+  border_count_ = kept;
+}
+
 // Where small pieces touch large ones.
 void RegionCleaner::findContacts(const DepthImage& depth, const Parameters& parameters,
                                  const LabelRuns& image) {
   contacts_.clear();
   const DepthTolerance tolerance{parameters.noise, kMaxStep * parameters.extraction.distance_noise_factor};
-  // Pixels of run i from column `first_i` on, and their neighbours of run j.
-  const auto meet = [&](std::size_t i, std::size_t j, int first_i, int first_j, int length) {
+  for (std::size_t k = 0; k < border_count_; ++k) {
+    const std::size_t i = static_cast<std::size_t>(borders_[k].first);
+    const std::size_t j = static_cast<std::size_t>(borders_[k].second);
     const LabelRun &a = image.runs[i], &b = image.runs[j];
+    const bool are_beside = a.row == b.row;
+    const int first = std::max(a.first, b.first);
+    const int length = are_beside ? 1 : std::min(a.last, b.last) - first;
+    const int touching = countTouching(depth.row(a.row) + (are_beside ? first - 1 : first),
+                                       depth.row(b.row) + first, length, tolerance);
     const bool a_is_small = pieces_[static_cast<std::size_t>(piece_of_[i])].is_small;
-    const int touching =
-        countTouching(depth.row(a.row) + first_i, depth.row(b.row) + first_j, length, tolerance);
     const int piece = piece_of_[a_is_small ? i : j];
     pieces_[static_cast<std::size_t>(piece)].border += length;
     contacts_.push_back({piece, a_is_small ? b.label : a.label, touching});
-  };
-  const auto isSmall = [this](std::size_t run) {
-    return pieces_[static_cast<std::size_t>(piece_of_[run])].is_small;
-  };
-  for (std::size_t k = 0; k < border_count_; ++k) {
-    const std::size_t above = static_cast<std::size_t>(borders_[k].above);
-    const std::size_t below = static_cast<std::size_t>(borders_[k].below);
-    if (isSmall(above) == isSmall(below)) continue;
-    const LabelRun &a = image.runs[above], &b = image.runs[below];
-    const int first = std::max(a.first, b.first), last = std::min(a.last, b.last);
-    meet(above, below, first, first, last - first);
-  }
-  bool left_is_small = false;
-  for (std::size_t i = 0; i < image.runs.size(); ++i) {
-    const bool is_small = isSmall(i), changes = is_small != left_is_small;
-    left_is_small = is_small;
-    if (!changes || i == 0) continue;
-    const LabelRun &left = image.runs[i - 1], &run = image.runs[i];
-    if (left.row != run.row || std::max(left.label, run.label) == kNoDepthLabel) continue;
-    meet(i - 1, i, run.first - 1, run.first, 1);
   }
 }
 
@@ -198,6 +202,7 @@ int RegionCleaner::clean(const DepthImage& depth, const ViewRays& rays,
                          LabelRuns& image) {
   connect(image);
   listPieces(parameters.cleanup.min_region_pixels, image);
+  keepBordersOfSmall();
   findContacts(depth, parameters, image);
   chooseHeirs();
   dropFarHeirs(depth, rays, clusters, parameters, image);
