@@ -5,9 +5,24 @@
 #include <array>
 #include <cstring>
 
+#include "multiversion.h"
 #include "row_kernels.h"
 
 namespace line_plane_segmentation {
+
+namespace {
+
+// Most runs are short: each is written in whole blocks, whose excess the next run overwrites.
+LPS_MULTIVERSION
+void fillRun(std::uint16_t* to, std::uint16_t* last, std::uint16_t* end, std::uint16_t label) {
+  constexpr std::ptrdiff_t kBlock = 32;
+  for (; to < last && end - to >= kBlock; to += kBlock) {
+    for (std::ptrdiff_t i = 0; i < kBlock; ++i) to[i] = label;
+  }
+  for (; to < last; ++to) *to = label;
+}
+
+}  // namespace
 
 void LabelRuns::clear() {
   runs.clear();
@@ -69,18 +84,12 @@ void LabelRuns::join() {
   if (!row_begin.empty()) row_begin.back() = kept;
 }
 
-// Most runs are short: each is written in whole blocks, whose excess the next run overwrites.
 void LabelRuns::write(std::vector<std::uint16_t>& labels, int width) const {
-  constexpr std::ptrdiff_t kBlock = 32;
   std::uint16_t* const end = labels.data() + labels.size();
   for (const LabelRun& run : runs) {
     std::uint16_t* row = labels.data() + static_cast<std::size_t>(run.row) * static_cast<std::size_t>(width);
-    std::uint16_t *to = row + run.first, *const last = row + run.last;
     const std::uint16_t label = run.label == kNoDepthLabel ? std::uint16_t{0} : run.label;
-    std::array<std::uint16_t, kBlock> block;
-    block.fill(label);
-    for (; to < last && end - to >= kBlock; to += kBlock) std::memcpy(to, block.data(), sizeof(block));
-    if (to < last) std::fill(to, last, label);
+    fillRun(row + run.first, row + run.last, end, label);
   }
 }
 
