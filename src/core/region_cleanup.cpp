@@ -33,13 +33,16 @@ int countTouching(const float* z, const float* other, int count, const DepthTole
 
 }  // namespace
 
+// Nearly all runs are the first of their piece or hang under it: to both the loop is the same.
 int RegionCleaner::find(int run) {
-  while (piece_of_[static_cast<std::size_t>(run)] != run) {
-    int& parent = piece_of_[static_cast<std::size_t>(run)];
-    parent = piece_of_[static_cast<std::size_t>(parent)];
-    run = parent;
+  const auto parentOf = [this](int r) -> int& { return piece_of_[static_cast<std::size_t>(r)]; };
+  int parent = parentOf(run);
+  while (parentOf(parent) != parent) {
+    parentOf(run) = parentOf(parent);
+    run = parentOf(parent);
+    parent = parentOf(run);
   }
-  return run;
+  return parent;
 }
 
 // Hangs runs of one label that touch under the first of them, and lists the borders between labels.
