@@ -58,7 +58,7 @@ class ClusterForest {
   double costOf(int a, int b) const;
 
   /// Remembers two patches whose clusters may merge, for mergePairs().
-  void addPair(int a, int b);
+  void addPair(int a, int b) { pairs_.push_back({0.0, a, b, 0}); }
 
   /// Merges the clusters of the pairs remembered that cost less than the limit, then forgets the pairs; those
   /// that come to cost several times the limit it forgets at once.

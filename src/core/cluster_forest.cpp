@@ -46,10 +46,6 @@ double ClusterForest::costOf(int a, int b) const {
          std::min(first.moments.pixels, second.moments.pixels);
 }
 
-void ClusterForest::addPair(int a, int b) {
-  if (find(a) != find(b)) pairs_.push_back({0.0, a, b, 0});
-}
-
 // Merges the clusters of a pair if that costs less than the limit.
 // @return whether the pair is done with, its patches being in one cluster
 bool ClusterForest::mergeIfCheaper(Pair& pair, double limit) {
