@@ -16,6 +16,19 @@ int countAlong(int pixels, int spacing) {
   return pixels > spacing / 2 ? (pixels - 1 - spacing / 2) / spacing + 1 : 0;
 }
 
+// The numbers of a row between margins of zeros.
+void widen(const float* row, std::size_t count, int margin, std::vector<float>& wide) {
+  wide.assign(count + 2 * static_cast<std::size_t>(margin), 0.0F);
+  std::copy_n(row, count, wide.begin() + margin);
+}
+
+// Puts the numbers at some places of a row next to each other.
+float* gather(const float* row, const std::vector<int>& places, float* to) {
+#pragma GCC unroll 4
+  for (const int place : places) *to++ = row[place];
+  return to;
+}
+
 // Lays an empty grid over an image.
 void lay(const DepthImage& depth, int spacing, PatchGrid& grid) {
   grid.spacing = spacing;
@@ -47,19 +60,19 @@ void PatchGrid::spread(const std::vector<int>& of_patch, int first, std::vector<
 // Chooses the image's columns in which crossings of the next rows lie.
 void PatchDetector::chooseColumns(const ViewRays& rays, int half_window) {
   const std::size_t lanes = columns_.size();
-  const int width = static_cast<int>(rays.x.size());
   x_.resize(lanes);
   for (std::size_t i = 0; i < lanes; ++i) x_[i] = rays.x[static_cast<std::size_t>(columns_[i])];
-  row_t_.clear();
-  for (int k = -half_window; k <= half_window; ++k) {
-    for (const int column : columns_) {
-      const int u = std::clamp(column + k, 0, width - 1);
-      row_t_.push_back(rays.x[static_cast<std::size_t>(u)]);
-    }
-  }
+  widen(rays.x.data(), rays.x.size(), half_window, wide_row_);
+  row_t_.resize(lanes * static_cast<std::size_t>(2 * half_window + 1));
+  gatherWindows(wide_row_.data(), half_window, row_t_.data());
   fits_.resize(static_cast<int>(lanes));
   row_sums_.resize(static_cast<int>(lanes));
   column_sums_.resize(static_cast<int>(lanes));
+}
+
+// The numbers of a row in the windows around columns_, all first ones first.
+void PatchDetector::gatherWindows(const float* wide_row, int half_window, float* to) const {
+  for (int k = 0; k <= 2 * half_window; ++k) to = gather(wide_row + k, columns_, to);
 }
 
 // Sums the windows of the row's crossings. Pixels outside of the image are as without depth.
@@ -67,22 +80,16 @@ void PatchDetector::sumWindows(const DepthImage& depth, const ViewRays& rays, in
   const int lanes = static_cast<int>(columns_.size()), steps = 2 * half_window + 1;
   z_.resize(row_t_.size());
   t_.resize(row_t_.size());
-  const std::size_t width = static_cast<std::size_t>(depth.width),
-                    margin = static_cast<std::size_t>(half_window);
-  wide_row_.assign(width + 2 * margin, 0.0F);
-  std::copy_n(depth.row(v), width, wide_row_.begin() + half_window);
-  float* z = z_.data();
-  for (const float* first = wide_row_.data(); first != wide_row_.data() + steps; ++first) {
-    for (const int column : columns_) *z++ = first[column];
-  }
+  widen(depth.row(v), static_cast<std::size_t>(depth.width), half_window, wide_row_);
+  gatherWindows(wide_row_.data(), half_window, z_.data());
   sumPixels(z_.data(), row_t_.data(), steps, lanes, lanesFrom(0, row_sums_));
 
-  z = z_.data();
+  float* z = z_.data();
   float* t = t_.data();
   for (int j = v - half_window; j <= v + half_window; ++j) {
     const bool is_inside = 0 <= j && j < depth.height;
     const float* const row = depth.row(is_inside ? j : v);
-    for (const int column : columns_) *z++ = is_inside ? row[column] : 0.0F;
+    z = is_inside ? gather(row, columns_, z) : std::fill_n(z, lanes, 0.0F);
     t = std::fill_n(t, lanes, rays.y[static_cast<std::size_t>(is_inside ? j : v)]);
   }
   sumPixels(z_.data(), t_.data(), steps, lanes, lanesFrom(0, column_sums_));
