@@ -46,9 +46,10 @@ struct DepthRange {
 
 /// Reads `width` pixels of row `v` as metres into `depth`, 0 where there is no depth within `range`:
 /// the one place that knows how pixels are stored. Every number written is finite and not negative.
-void loadRow(const DepthView& view, int v, const DepthRange& range, float* depth);
+/// @return how many of them have a depth
+int loadRow(const DepthView& view, int v, const DepthRange& range, float* depth);
 
 /// As loadRow(), for the `height` pixels of column `u`.
-void loadColumn(const DepthView& view, int u, const DepthRange& range, float* depth);
+int loadColumn(const DepthView& view, int u, const DepthRange& range, float* depth);
 
 }  // namespace line_plane_segmentation

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "line_plane_segmentation/depth_image.h"
 
-#include "row_kernels.h"
-
 namespace line_plane_segmentation {
 namespace {
 
@@ -20,10 +18,8 @@ std::uint32_t loadDepth(const DepthView& view, const DepthRange& range, DepthIma
   image.height = view.height;
   image.z.resize(static_cast<std::size_t>(view.width) * static_cast<std::size_t>(view.height));
   std::uint32_t depths = 0;
-  for (int v = 0; v < view.height; ++v) {
-    loadRow(view, v, range, image.row(v));
-    depths += static_cast<std::uint32_t>(countDepths(image.row(v), image.width));
-  }
+  for (int v = 0; v < view.height; ++v)
+    depths += static_cast<std::uint32_t>(loadRow(view, v, range, image.row(v)));
   return depths;
 }
 

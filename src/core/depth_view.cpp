@@ -25,8 +25,9 @@ inline float depthInRange(float z, const DepthRange& range) {
 
 // Pixels may lie at any address, so they are loaded with memcpy, which compiles to a plain load.
 template <typename Stored, typename Bits, bool kSwap>
-void load(const std::uint8_t* first, std::size_t stride, int count, float scale, const DepthRange& range,
-          float* depth) {
+int load(const std::uint8_t* first, std::size_t stride, int count, float scale, const DepthRange& range,
+         float* depth) {
+  int depths = 0;
   for (int i = 0; i < count; ++i) {
     Bits bits;
     std::memcpy(&bits, first + static_cast<std::size_t>(i) * stride, sizeof bits);
@@ -34,23 +35,29 @@ void load(const std::uint8_t* first, std::size_t stride, int count, float scale,
     Stored stored;
     std::memcpy(&stored, &bits, sizeof stored);
     depth[i] = depthInRange(static_cast<float>(stored) * scale, range);
+    depths += depth[i] > 0.0F ? 1 : 0;
   }
+  return depths;
 }
 
 // The usual case, a row of 16-bit pixels in this machine's byte order, for which no time is to be lost.
 LPS_MULTIVERSION
-void loadPackedUint16(const std::uint8_t* __restrict first, int count, float scale, const DepthRange& range,
-                      float* __restrict depth) {
+int loadPackedUint16(const std::uint8_t* __restrict first, int count, float scale, const DepthRange& range,
+                     float* __restrict depth) {
   const DepthRange bounds = range;
+  int depths = 0;
   for (int i = 0; i < count; ++i) {
     std::uint16_t stored;
     std::memcpy(&stored, first + 2 * static_cast<std::size_t>(i), sizeof stored);
-    depth[i] = depthInRange(static_cast<float>(stored) * scale, bounds);
+    const float z = depthInRange(static_cast<float>(stored) * scale, bounds);
+    depth[i] = z;
+    depths += z > 0.0F ? 1 : 0;
   }
+  return depths;
 }
 
-void load(const DepthView& view, const std::uint8_t* first, std::size_t stride, int count, DepthRange range,
-          float* depth) {
+int load(const DepthView& view, const std::uint8_t* first, std::size_t stride, int count, DepthRange range,
+         float* depth) {
   const float scale = view.metres_per_unit;
   // No camera sees what is nearer than a micrometre, and of such numbers the powers that a plane's covariance
   // is made of are 0. A NaN bound is none.
@@ -89,14 +96,14 @@ DepthView viewOf(const float* pixels, int width, int height, float metres_per_un
   return viewOfPacked(pixels, width, height, DepthType::kFloat32, metres_per_unit);
 }
 
-void loadRow(const DepthView& view, int v, const DepthRange& range, float* depth) {
-  load(view, view.data + static_cast<std::size_t>(v) * view.step, bytesPerPixel(view.type), view.width, range,
-       depth);
+int loadRow(const DepthView& view, int v, const DepthRange& range, float* depth) {
+  return load(view, view.data + static_cast<std::size_t>(v) * view.step, bytesPerPixel(view.type), view.width,
+              range, depth);
 }
 
-void loadColumn(const DepthView& view, int u, const DepthRange& range, float* depth) {
-  load(view, view.data + static_cast<std::size_t>(u) * bytesPerPixel(view.type), view.step, view.height,
-       range, depth);
+int loadColumn(const DepthView& view, int u, const DepthRange& range, float* depth) {
+  return load(view, view.data + static_cast<std::size_t>(u) * bytesPerPixel(view.type), view.step,
+              view.height, range, depth);
 }
 
 }  // namespace line_plane_segmentation

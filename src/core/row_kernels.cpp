@@ -57,13 +57,6 @@ void linkNeighbors(const float* z, const float* below, const float* x, float y, 
 }
 
 LPS_MULTIVERSION
-int countDepths(const float* z, int count) {
-  int depths = 0;
-  for (int i = 0; i < count; ++i) depths += z[i] > 0.0F ? 1 : 0;
-  return depths;
-}
-
-LPS_MULTIVERSION
 void markChanges(const std::uint16_t* __restrict labels, int count, std::uint8_t* __restrict changes) {
   if (count > 0) changes[0] = 0;
   for (int i = 1; i < count; ++i) changes[i] = static_cast<std::uint8_t>(labels[i] != labels[i - 1]);

@@ -41,9 +41,6 @@ constexpr std::uint8_t kLinkDown = 2;   ///< the pixel and the one below are nea
 void linkNeighbors(const float* z, const float* below, const float* x, float y, float y_below, int count,
                    float bound, std::uint8_t* links);
 
-/// How many of the depths are one, that is, not 0.
-int countDepths(const float* z, int count);
-
 /// changes[i] = 1 where labels[i] differs from labels[i - 1], else 0; changes[0] = 0.
 void markChanges(const std::uint16_t* labels, int count, std::uint8_t* changes);
 

@@ -14,7 +14,7 @@ namespace {
 TEST(DepthImage, LoadsAWholeView) {
   const std::vector<std::uint16_t> pixels = {0, 1000, 2000, 3000, 20000, 500};
   DepthImage image;
-  loadDepth(viewOf(pixels.data(), 3, 2), {0.3F, 10.0F}, image);
+  EXPECT_EQ(loadDepth(viewOf(pixels.data(), 3, 2), {0.3F, 10.0F}, image), 4U);
   EXPECT_EQ(image.width, 3);
   EXPECT_EQ(image.height, 2);
   ASSERT_EQ(image.z.size(), 6U);
@@ -40,7 +40,7 @@ TEST(DepthImage, ReusesItsMemory) {
 
 TEST(DepthImage, OfAnEmptyViewIsEmpty) {
   DepthImage image = blankDepth(4, 4);
-  loadDepth(DepthView{}, {}, image);
+  EXPECT_EQ(loadDepth(DepthView{}, {}, image), 0U);
   EXPECT_EQ(image.width, 0);
   EXPECT_EQ(image.height, 0);
   EXPECT_TRUE(image.z.empty());

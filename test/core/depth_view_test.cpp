@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <limits>
@@ -51,15 +52,21 @@ class StoredImage {
   std::vector<std::uint8_t> bytes_;
 };
 
+int depthsIn(const std::vector<float>& row) {
+  return static_cast<int>(std::count_if(row.begin(), row.end(), [](float z) { return z > 0.0F; }));
+}
+
 std::vector<float> rowOf(const DepthView& view, int v, const DepthRange& range = kWide) {
   std::vector<float> depth(static_cast<std::size_t>(view.width), -1.0F);
-  loadRow(view, v, range, depth.data());
+  const int depths = loadRow(view, v, range, depth.data());
+  EXPECT_EQ(depths, depthsIn(depth));
   return depth;
 }
 
 std::vector<float> columnOf(const DepthView& view, int u, const DepthRange& range = kWide) {
   std::vector<float> depth(static_cast<std::size_t>(view.height), -1.0F);
-  loadColumn(view, u, range, depth.data());
+  const int depths = loadColumn(view, u, range, depth.data());
+  EXPECT_EQ(depths, depthsIn(depth));
   return depth;
 }
 

@@ -155,16 +155,6 @@ TEST_F(RowKernels, MarkRunBoundaries) {
   });
 }
 
-TEST_F(RowKernels, CountDepths) {
-  forManyRows([&](const Row& row) {
-    const int expected =
-        static_cast<int>(std::count_if(row.z(), row.z() + row.count, [](float z) { return z > 0.0F; }));
-    ASSERT_EQ(countDepths(row.z(), row.count), expected);
-    ASSERT_EQ(scalar::countDepths(row.z(), row.count), expected);
-  });
-  EXPECT_EQ(countDepths(nullptr, 0), 0);
-}
-
 TEST_F(RowKernels, MarkChanges) {
   forManyRows([&](const Row& row) {
     std::vector<std::uint16_t> labels;

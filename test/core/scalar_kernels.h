@@ -13,7 +13,6 @@ decltype(::line_plane_segmentation::markInliers) markInliers;
 decltype(::line_plane_segmentation::countInliers) countInliers;
 decltype(::line_plane_segmentation::markRunBoundaries) markRunBoundaries;
 decltype(::line_plane_segmentation::linkNeighbors) linkNeighbors;
-decltype(::line_plane_segmentation::countDepths) countDepths;
 decltype(::line_plane_segmentation::markChanges) markChanges;
 decltype(::line_plane_segmentation::appendMarked) appendMarked;
 decltype(::line_plane_segmentation::prepareRow) prepareRow;
