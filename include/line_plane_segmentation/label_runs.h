@@ -8,7 +8,7 @@
 
 namespace line_plane_segmentation {
 
-/// Stands in a label image where a pixel has no depth, while the image is being worked on.
+/// Stands in a label image where a pixel has no depth, until the image is cleaned.
 constexpr std::uint16_t kNoDepthLabel = 65535;
 
 /// Neighbouring pixels of one row with the same label: columns first to last - 1.
@@ -42,7 +42,7 @@ struct LabelRuns {
   /// Makes one run of neighbours in a row that have come to carry the same label.
   void join();
 
-  /// Writes the runs' labels into an image of their size, kNoDepthLabel as 0.
+  /// Writes the runs' labels into an image of their size.
   void write(std::vector<std::uint16_t>& labels, int width) const;
 
  private:

@@ -17,7 +17,7 @@ namespace line_plane_segmentation {
 /// planes that are too small go, and the rest are numbered from 1, the largest first.
 class RegionCleaner {
  public:
-  /// @param image  its labels are k + 1 for cluster k, 0 for no plane, and kNoDepthLabel
+  /// @param image  its labels are k + 1 for cluster k, 0 for no plane, and kNoDepthLabel, which becomes 0
   /// @return the number of planes left
   int clean(const DepthImage& depth, const ViewRays& rays, const std::vector<PatchCluster>& clusters,
             const Parameters& parameters, LabelRuns& image);

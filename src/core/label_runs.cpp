@@ -88,8 +88,7 @@ void LabelRuns::write(std::vector<std::uint16_t>& labels, int width) const {
   std::uint16_t* const end = labels.data() + labels.size();
   for (const LabelRun& run : runs) {
     std::uint16_t* row = labels.data() + static_cast<std::size_t>(run.row) * static_cast<std::size_t>(width);
-    const std::uint16_t label = run.label == kNoDepthLabel ? std::uint16_t{0} : run.label;
-    fillRun(row + run.first, row + run.last, end, label);
+    fillRun(row + run.first, row + run.last, end, run.label);
   }
 }
 

@@ -46,7 +46,7 @@ void PlaneMeasurement::sumLabels(const DepthImage& depth, const ViewRays& rays, 
   last_row_.assign(padded, 0.0F);
   std::copy_n(depth.row(last), depth.width, last_row_.begin());
   for (const LabelRun& run : image.runs) {
-    if (run.label == 0 || run.label == kNoDepthLabel) continue;
+    if (run.label == 0) continue;
     const float* const z = run.row < last ? depth.row(run.row) : last_row_.data();
     addRun(z + run.first, ray_x_.data() + run.first, rays.y[static_cast<std::size_t>(run.row)], run.pixels(),
            sums_[run.label]);
@@ -88,9 +88,7 @@ void PlaneMeasurement::measure(const DepthImage& depth, const ViewRays& rays, co
     new_label_[label] = plane.label;
   }
   if (segmentation.planes.size() == static_cast<std::size_t>(label_count)) return;
-  for (LabelRun& run : image.runs) {
-    if (run.label != kNoDepthLabel) run.label = new_label_[run.label];
-  }
+  for (LabelRun& run : image.runs) run.label = new_label_[run.label];
 }
 
 }  // namespace line_plane_segmentation

@@ -85,7 +85,6 @@ void RegionCleaner::listPieces(int min_region_pixels, const LabelRuns& image) {
     }
     pieces_[static_cast<std::size_t>(piece)].pixels += run.pixels();
   }
-  pieces_.front().label = kNoDepthLabel;
   for (std::size_t i = 1; i < pieces_.size(); ++i) {
     const int bound = pieces_[i].label == 0 ? kMaxGapRegions * min_region_pixels : min_region_pixels;
     pieces_[i].is_small = pieces_[i].pixels < bound;
@@ -178,7 +177,7 @@ int RegionCleaner::renumber(int min_plane_inliers, int label_count) {
   label_pixels_.assign(static_cast<std::size_t>(label_count) + 1, 0);
   for (Piece& piece : pieces_) {
     if (piece.is_small) piece.label = piece.heir;
-    if (piece.label != kNoDepthLabel) label_pixels_[piece.label] += piece.pixels;
+    label_pixels_[piece.label] += piece.pixels;
   }
   order_.clear();
   for (int label = 1; label <= label_count; ++label) {
@@ -194,9 +193,7 @@ int RegionCleaner::renumber(int min_plane_inliers, int label_count) {
   for (std::size_t i = 0; i < order_.size(); ++i) {
     new_label_[static_cast<std::size_t>(order_[i])] = static_cast<std::uint16_t>(i + 1);
   }
-  for (Piece& piece : pieces_) {
-    if (piece.label != kNoDepthLabel) piece.label = new_label_[piece.label];
-  }
+  for (Piece& piece : pieces_) piece.label = new_label_[piece.label];
   return static_cast<int>(order_.size());
 }
 

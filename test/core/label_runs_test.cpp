@@ -63,10 +63,9 @@ TEST(LabelRuns, AreTheImageAndBack) {
     runs.scan(image.labels, image.width, image.height);
     expectComplete(runs, image.width, image.height);
     ASSERT_FALSE(hasEqualNeighbors(runs)) << seed;
-    Labels written(image.labels.size(), 99), expected = image.labels;
+    Labels written(image.labels.size(), 99);
     runs.write(written, image.width);
-    std::replace(expected.begin(), expected.end(), kNoDepthLabel, std::uint16_t{0});
-    ASSERT_EQ(written, expected) << seed;
+    ASSERT_EQ(written, image.labels) << seed;
   }
 }
 

@@ -169,12 +169,12 @@ TEST(PlaneMeasurement, DropsPlanesUnderTheSmallestArea) {
   EXPECT_EQ(image.segmentation.labels[image.depth.index(30, 20)], 1);
 }
 
-TEST(PlaneMeasurement, CountsNoPixelWithoutDepth) {
+TEST(PlaneMeasurement, CountsNoPixelWithoutLabel) {
   LabelledImage image(render(surfaceAt(1.5, 0.2), kinectCamera(64, 48), 64, 48));
   image.paintLabel(1, {0, 64, 0, 48});
   for (int u = 10; u < 20; ++u) {
     image.depth.row(7)[u] = 0.0F;
-    image.segmentation.labels[image.depth.index(u, 7)] = kNoDepthLabel;
+    image.segmentation.labels[image.depth.index(u, 7)] = 0;
   }
   const std::vector<SegmentedPlane>& planes = image.measure(1);
   ASSERT_EQ(planes.size(), 1U);

