@@ -129,16 +129,18 @@ void RegionCleaner::findContacts(const DepthImage& depth, const Parameters& para
 // The label that more than half of a small piece's border touches, or 0: no plane. What lies behind a step
 // touches nothing.
 void RegionCleaner::chooseHeirs() {
-  // Boyer and Moore's vote: a label that has more than half leads in the end.
+  // Boyer and Moore's vote: a label that has more than half leads in the end. Factors stand for branches,
+  // which would be mispredicted.
   for (const Contact& contact : contacts_) {
     Piece& piece = pieces_[static_cast<std::size_t>(contact.piece)];
-    const int lead = contact.label == piece.heir ? piece.lead + contact.length : piece.lead - contact.length;
+    const int sign = 2 * static_cast<int>(contact.label == piece.heir) - 1;
+    const int lead = piece.lead + sign * contact.length;
     piece.heir = lead < 0 ? contact.label : piece.heir;
     piece.lead = std::abs(lead);
   }
   for (const Contact& contact : contacts_) {
     Piece& piece = pieces_[static_cast<std::size_t>(contact.piece)];
-    piece.held += contact.label == piece.heir ? contact.length : 0;
+    piece.held += contact.length * static_cast<int>(contact.label == piece.heir);
   }
   for (Piece& piece : pieces_) {
     if (2 * piece.held <= piece.border) piece.heir = 0;
