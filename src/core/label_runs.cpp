@@ -70,14 +70,15 @@ void LabelRuns::join() {
   for (std::size_t row = 0; row + 1 < row_begin.size(); ++row) {
     const std::size_t begin = row_begin[row], end = row_begin[row + 1];
     row_begin[row] = kept;
-    LabelRun joined{};
+    int first = 0, label = -1;
     for (std::size_t i = begin; i < end; ++i) {
-      // Without a branch: whether neighbours have come to be alike is hard to predict.
-      const LabelRun& run = runs[i];
-      const bool is_more = (i > begin) & (run.label == joined.label);
-      joined = {run.row, is_more ? joined.first : run.first, run.last, run.label};
-      kept += is_more ? 0 : 1;
-      runs[kept - 1] = joined;
+      // With a factor and not a branch: whether neighbours have come to be alike is hard to predict.
+      const LabelRun run = runs[i];
+      const int is_another = static_cast<int>(run.label != label);
+      first += is_another * (run.first - first);
+      label = run.label;
+      kept += static_cast<std::size_t>(is_another);
+      runs[kept - 1] = {run.row, first, run.last, run.label};
     }
   }
   runs.resize(kept);
