@@ -25,6 +25,14 @@ struct FittedPixels {
 /// the two scanlines around the crossing, which lie in one plane.
 struct SurfacePatch : FittedPixels {
   int u = 0, v = 0;  ///< [px] the crossing
+
+  SurfacePatch() = default;
+  SurfacePatch(const CrossingFits& fits, int lane, int column, int row)
+      : FittedPixels{momentsOf(fits, lane),
+                     {fits(kFitA, lane), fits(kFitB, lane), fits(kFitC, lane)},
+                     fits(kFitSquaredError, lane)},
+        u(column),
+        v(row) {}
 };
 
 /// The crossings of all scanlines that are so far apart, row by row.
@@ -90,16 +98,16 @@ class PatchDetector {
               const std::vector<std::uint8_t>& explained, PatchLevels& levels);
 
  private:
-  void chooseColumns(const ViewRays& rays, int half_window);
+  void chooseColumns(const PatchGrid& grid, const ViewRays& rays, int half_window);
   void gatherWindows(const float* wide_row, int half_window, float* to) const;
   void sumWindows(const DepthImage& depth, const ViewRays& rays, int v, int half_window);
   void fit(double y, int half_window, const Parameters& parameters);
   void addRow(const DepthImage& depth, const ViewRays& rays, int row, int half_window,
               const Parameters& parameters, PatchGrid& grid);
 
-  // Of a row of crossings, one lane a crossing: the image's columns they lie in and the rays there, the sums
-  // of their windows, and what is fitted to these.
-  std::vector<int> columns_;
+  // Of a row of crossings, one lane a crossing: their columns in the grid and in the image, the rays there,
+  // the sums of their windows, and what is fitted to these.
+  std::vector<int> grid_columns_, columns_;
   std::vector<float> x_;
   WindowSums row_sums_, column_sums_;
   CrossingFits fits_;

@@ -2,6 +2,7 @@
 #include "line_plane_segmentation/surface_patch.h"
 
 #include <algorithm>
+#include <numeric>
 
 #include "patch_kernels.h"
 
@@ -57,8 +58,10 @@ void PatchGrid::spread(const std::vector<int>& of_patch, int first, std::vector<
   }
 }
 
-// Chooses the image's columns in which crossings of the next rows lie.
-void PatchDetector::chooseColumns(const ViewRays& rays, int half_window) {
+// Chooses the crossings of the next rows, grid_columns_ being theirs.
+void PatchDetector::chooseColumns(const PatchGrid& grid, const ViewRays& rays, int half_window) {
+  columns_.clear();
+  for (const int column : grid_columns_) columns_.push_back(grid.pixelOf(column));
   const std::size_t lanes = columns_.size();
   x_.resize(lanes);
   for (std::size_t i = 0; i < lanes; ++i) x_[i] = rays.x[static_cast<std::size_t>(columns_[i])];
@@ -105,7 +108,7 @@ void PatchDetector::fit(double y, int half_window, const Parameters& parameters)
                static_cast<int>(columns_.size()), bounds, fits_);
 }
 
-// Looks at the crossings of a row of the grid that lie in columns_.
+// Looks at the crossings of a row of the grid that have been chosen.
 void PatchDetector::addRow(const DepthImage& depth, const ViewRays& rays, int row, int half_window,
                            const Parameters& parameters, PatchGrid& grid) {
   const int v = grid.pixelOf(row);
@@ -113,17 +116,12 @@ void PatchDetector::addRow(const DepthImage& depth, const ViewRays& rays, int ro
   sumWindows(depth, rays, v, half_window);
   fit(y, half_window, parameters);
   for (int lane = 0; lane < static_cast<int>(columns_.size()); ++lane) {
-    const int u = columns_[static_cast<std::size_t>(lane)], cell = grid.indexOf(u / grid.spacing, row);
+    const int cell = grid.indexOf(grid_columns_[static_cast<std::size_t>(lane)], row);
     grid.has_line[static_cast<std::size_t>(cell)] = fits_(kFitLines, lane) > 0.0 ? 1 : 0;
     if (!(fits_(kFitPlanar, lane) > 0.0)) continue;
     grid.patch_at[static_cast<std::size_t>(cell)] = static_cast<int>(grid.patches.size());
     grid.cells.push_back(cell);
-    SurfacePatch& patch = grid.patches.emplace_back();
-    patch.u = u;
-    patch.v = v;
-    patch.moments = momentsOf(fits_, lane);
-    patch.plane = {fits_(kFitA, lane), fits_(kFitB, lane), fits_(kFitC, lane)};
-    patch.squared_error = fits_(kFitSquaredError, lane);
+    grid.patches.emplace_back(fits_, lane, columns_[static_cast<std::size_t>(lane)], v);
   }
 }
 
@@ -131,9 +129,9 @@ void PatchDetector::detect(const DepthImage& depth, const ViewRays& rays, const 
                            PatchGrid& grid) {
   lay(depth, parameters.scanlines.scanline_spacing, grid);
   const int half_window = parameters.lines.line_window / 2;
-  columns_.clear();
-  for (int c = 0; c < grid.columns; ++c) columns_.push_back(grid.pixelOf(c));
-  chooseColumns(rays, half_window);
+  grid_columns_.resize(static_cast<std::size_t>(grid.columns));
+  std::iota(grid_columns_.begin(), grid_columns_.end(), 0);
+  chooseColumns(grid, rays, half_window);
   for (int r = 0; r < grid.rows; ++r) addRow(depth, rays, r, half_window, parameters, grid);
 }
 
@@ -150,14 +148,14 @@ void PatchDetector::refine(const DepthImage& depth, const ViewRays& rays, const 
   const int half_window =
       std::max(kMinHalfWindow, parameters.lines.line_window * fine.spacing / coarse.spacing / 2);
   for (int r = 0; r < fine.rows; ++r) {
-    columns_.clear();
+    grid_columns_.clear();
     for (int c = 0; c < fine.columns; ++c) {
       const std::size_t tile =
           static_cast<std::size_t>(coarse.indexOf(levels.tileColumn(c), levels.tileRow(r)));
-      if (explained[tile] == 0 && coarse.has_line[tile] != 0) columns_.push_back(fine.pixelOf(c));
+      if (explained[tile] == 0 && coarse.has_line[tile] != 0) grid_columns_.push_back(c);
     }
-    if (columns_.empty()) continue;
-    chooseColumns(rays, half_window);
+    if (grid_columns_.empty()) continue;
+    chooseColumns(fine, rays, half_window);
     addRow(depth, rays, r, half_window, parameters, fine);
   }
 }
