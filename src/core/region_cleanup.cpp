@@ -72,17 +72,19 @@ void RegionCleaner::connect(const LabelRuns& image) {
 
 void RegionCleaner::listPieces(int min_region_pixels, const LabelRuns& image) {
   pieces_.assign(1, Piece{});
-  for (std::size_t i = 0; i < piece_of_.size(); ++i) {
+  const std::size_t count = image.runs.size();
+  for (std::size_t i = 0; i < count; ++i) {
     const LabelRun& run = image.runs[i];
     // A run hangs under an earlier one, whose piece is known, or is the first of a piece.
-    int& piece = piece_of_[i];
-    const bool is_first = piece == static_cast<int>(i);
-    piece = run.label == kNoDepthLabel ? 0 : piece_of_[static_cast<std::size_t>(piece)];
-    if ((run.label != kNoDepthLabel) & is_first) {
+    const std::size_t parent = static_cast<std::size_t>(piece_of_[i]);
+    const bool has_depth = run.label != kNoDepthLabel;
+    int piece = has_depth ? piece_of_[parent] : 0;
+    if (has_depth & (parent == i)) {
       piece = static_cast<int>(pieces_.size());
       pieces_.emplace_back();
       pieces_.back().label = run.label;
     }
+    piece_of_[i] = piece;
     pieces_[static_cast<std::size_t>(piece)].pixels += run.pixels();
   }
   for (std::size_t i = 1; i < pieces_.size(); ++i) {
