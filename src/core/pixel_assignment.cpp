@@ -118,11 +118,12 @@ void PixelAssigner::partAtCreases(double y) {
 bool PixelAssigner::isLikeNeighbors(const float* z, const LabelRun& before, const LabelRun& speckle,
                                     const LabelRun& after) const {
   const float expected = 0.5F * (1.0F / z[before.last - 1] + 1.0F / z[after.first]);
+  bool is_like = true;
   for (int u = speckle.first; u < speckle.last; ++u) {
     const float error = std::fabs(1.0F - z[u] * expected) * depth_over_noise_[static_cast<std::size_t>(u)];
-    if (error > kMaxSpeckleError) return false;
+    is_like &= !(error > kMaxSpeckleError);
   }
-  return true;
+  return is_like;
 }
 
 void PixelAssigner::assign(const DepthImage& depth, const ViewRays& rays, const PatchLevels& levels,
