@@ -16,11 +16,13 @@ namespace line_plane_segmentation {
 class PatchClusterer {
  public:
   /// Lets the coarse patches of an image grow together.
+  /// @param coarse     stays where it is until cluster() has returned
   /// @param explained  for each crossing whether it needs no closer look: it is part of a plane, or clutter
   void clusterCoarse(const PatchGrid& coarse, const Parameters& parameters,
                      std::vector<std::uint8_t>& explained);
 
   /// Goes on with the same image: adds its fine patches, and merges coplanar clusters.
+  /// @param levels      its coarse grid is the one that clusterCoarse() got
   /// @param cluster_of  for each patch its index in `clusters`, or -1
   void cluster(const DepthImage& depth, const ViewRays& rays, const PatchLevels& levels,
                const Parameters& parameters, std::vector<PatchCluster>& clusters,

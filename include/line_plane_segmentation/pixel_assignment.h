@@ -31,7 +31,7 @@ class PixelAssigner {
   /// The clusters of a grid of square tiles; -1 is none.
   struct Tiles {
     int spacing, columns, rows;
-    const int* cluster_of;
+    const int* cluster_at;
   };
 
   void findSpans(const Tiles& tiles, int row, int width, std::vector<Span>& spans);

@@ -23,7 +23,7 @@ class PlaneMeasurement {
  public:
   /// @param label_count   labels 1 to label_count are measured
   /// @param min_area      [m²]
-  /// @param image         relabelled where a label goes
+  /// @param image         its labels are 0 to label_count; relabelled where a label goes
   /// @param segmentation  its planes and the number of its assigned pixels are filled in
   /// @param estimates     the coefficients of label k are estimates[k - 1], or where there is none those of
   ///                      estimateFromPixels(); if the vector is empty, each is fitted by PCA to all of its
@@ -36,9 +36,7 @@ class PlaneMeasurement {
   void sumLabels(const DepthImage& depth, const ViewRays& rays, int label_count, const LabelRuns& image);
 
   std::vector<PixelSums> sums_;  // of each label
-  // The rays' x and the last row of depths, both with room behind them for addRun() to read.
-  std::vector<double> ray_x_;
-  std::vector<float> last_row_;
+  std::vector<double> ray_x_;    // of each column
   std::vector<std::uint16_t> new_label_;
 };
 

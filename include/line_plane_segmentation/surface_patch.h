@@ -27,12 +27,12 @@ struct SurfacePatch : FittedPixels {
   int u = 0, v = 0;  ///< [px] the crossing
 
   SurfacePatch() = default;
-  SurfacePatch(const CrossingFits& fits, int lane, int column, int row)
+  SurfacePatch(const CrossingFits& fits, int lane, int pixel_u, int pixel_v)
       : FittedPixels{momentsOf(fits, lane),
                      {fits(kFitA, lane), fits(kFitB, lane), fits(kFitC, lane)},
                      fits(kFitSquaredError, lane)},
-        u(column),
-        v(row) {}
+        u(pixel_u),
+        v(pixel_v) {}
 };
 
 /// The crossings of all scanlines that are so far apart, row by row.

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <Eigen/Core>
-#include <algorithm>
 #include <cstddef>
 #include <vector>
 
@@ -21,25 +19,10 @@ class LaneTable {
     if (numbers_.size() < kRows * lanes_) numbers_.resize(kRows * lanes_);
   }
 
-  void setZero(int lanes) {
-    resize(lanes);
-    std::fill_n(numbers_.begin(), kRows * lanes_, 0.0);
-  }
-
-  /// A row, from a lane on.
-  double* row(int row, int lane = 0) {
-    return numbers_.data() + static_cast<std::size_t>(row) * lanes_ + static_cast<std::size_t>(lane);
-  }
+  double* row(int row) { return numbers_.data() + static_cast<std::size_t>(row) * lanes_; }
 
   double operator()(int row, int lane) const {
     return numbers_[static_cast<std::size_t>(row) * lanes_ + static_cast<std::size_t>(lane)];
-  }
-
-  using Lane = Eigen::Map<Eigen::Array<double, kRows, 1>, 0, Eigen::InnerStride<>>;
-
-  /// All numbers of a lane.
-  Lane lane(int lane) {
-    return Lane(numbers_.data() + lane, Eigen::InnerStride<>(static_cast<Eigen::Index>(lanes_)));
   }
 
  private:
@@ -89,10 +72,9 @@ struct WindowLanes {
   LineSums operator[](int i) const { return {n[i], t[i], tt[i], w[i], tw[i], ww[i]}; }
 };
 
-/// Those from a window on.
-inline WindowLanes lanesFrom(int window, WindowSums& sums) {
-  return {sums.row(kSumN, window), sums.row(kSumT, window),  sums.row(kSumTt, window),
-          sums.row(kSumW, window), sums.row(kSumTw, window), sums.row(kSumWw, window)};
+inline WindowLanes lanesOf(WindowSums& sums) {
+  return {sums.row(kSumN), sums.row(kSumT),  sums.row(kSumTt),
+          sums.row(kSumW), sums.row(kSumTw), sums.row(kSumWw)};
 }
 
 /// What is fitted to windows that cross, a row's and a column's. One lane a crossing, a row for each Fit.

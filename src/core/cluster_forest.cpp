@@ -34,7 +34,7 @@ void ClusterForest::add(const SurfacePatch& patch, double share) {
 }
 
 PatchCluster ClusterForest::cluster(int root) const {
-  return {fitOf(root), patchesOf(root), share_[static_cast<std::size_t>(root)], false};
+  return {fitOf(root), patchesOf(root), shareOf(root), false};
 }
 
 double ClusterForest::costOf(int a, int b) const {

@@ -2,6 +2,7 @@
 #include "line_plane_segmentation/coplanar_merging.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <cstdlib>
 #include <limits>
 #include <tuple>
@@ -66,9 +67,10 @@ void CoplanarMerger::listPatches(ClusterForest& forest) {
 // The patch of a cluster that is nearest in the picture to another patch.
 int CoplanarMerger::nearestPatch(const PatchLevels& levels, int root, int to) const {
   const int u = levels.patch(to).u, v = levels.patch(to).v;
-  int nearest = root, nearest_distance = std::numeric_limits<int>::max();
+  int nearest = root;
+  std::int64_t nearest_distance = std::numeric_limits<std::int64_t>::max();
   for (int i = first_[static_cast<std::size_t>(root)]; i >= 0; i = next_[static_cast<std::size_t>(i)]) {
-    const int du = levels.patch(i).u - u, dv = levels.patch(i).v - v;
+    const std::int64_t du = levels.patch(i).u - u, dv = levels.patch(i).v - v;
     if (du * du + dv * dv < nearest_distance) {
       nearest = i;
       nearest_distance = du * du + dv * dv;

@@ -26,24 +26,24 @@ void Creases::find(const ViewRays& rays, const PatchGrid& grid, const std::vecto
   vote_.clear();
   if (count_ < 2 || count_ > kMaxClusters) return;
   vote_.assign(count_ * count_, 0);
-  const auto isNearer = [&](int patch, int cluster, int other) {
-    const double x = rays.x[static_cast<std::size_t>(grid.pixelOf(patch % grid.columns))];
-    const double y = rays.y[static_cast<std::size_t>(grid.pixelOf(patch / grid.columns))];
+  const auto isNearer = [&](int cell, int cluster, int other) {
+    const double x = rays.x[static_cast<std::size_t>(grid.pixelOf(cell % grid.columns))];
+    const double y = rays.y[static_cast<std::size_t>(grid.pixelOf(cell / grid.columns))];
     return clusters[static_cast<std::size_t>(cluster)].plane.at(x, y) >
            clusters[static_cast<std::size_t>(other)].plane.at(x, y);
   };
   // Where a patch is seen, its plane is the nearer one of a fold inward, the farther one of a fold outward.
-  const auto compare = [&](int patch, int neighbor) {
-    const int cluster = cluster_at[static_cast<std::size_t>(patch)];
+  const auto compare = [&](int cell, int neighbor) {
+    const int cluster = cluster_at[static_cast<std::size_t>(cell)];
     const int other = cluster_at[static_cast<std::size_t>(neighbor)];
     if (cluster == other || cluster < 0 || other < 0) return;
-    vote(cluster, other, isNearer(patch, cluster, other) ? 1 : -1);
+    vote(cluster, other, isNearer(cell, cluster, other) ? 1 : -1);
     vote(cluster, other, isNearer(neighbor, other, cluster) ? 1 : -1);
   };
   for (int r = 0; r < grid.rows; ++r) {
     for (int c = 0; c < grid.columns; ++c) {
       const int here = grid.indexOf(c, r);
-      // Two patches on, too: the one between lies on the crease, and is in neither plane.
+      // Two crossings on, too: the patch between lies on the crease, and is in neither plane.
       for (int step = 1; step <= 2; ++step) {
         if (c + step < grid.columns) compare(here, here + step);
         if (r + step < grid.rows) compare(here, here + step * grid.columns);

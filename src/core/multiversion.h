@@ -17,8 +17,10 @@
 #define LPS_MULTIVERSION
 #endif
 
-// Before a function that those call: it is compiled as part of each version.
-#define LPS_ALWAYS_INLINE inline __attribute__((always_inline))
+// For what those functions call, so that it is compiled as part of each version: before the body of a lambda,
+// and before a function.
+#define LPS_INLINED __attribute__((always_inline))
+#define LPS_ALWAYS_INLINE inline LPS_INLINED
 
 // Before a loop: what it writes is not what it reads in a later round, which the compiler need not check.
 #if defined(__GNUC__) && !defined(__clang__)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "patch_kernels.h"
 
+#include <cstddef>
 #include <cstring>
 
 #include "multiversion.h"
@@ -32,7 +33,7 @@ LPS_ALWAYS_INLINE void sumWindows(const float* z, const float* t, int pixels, in
                                   const WindowLanes& sums) {
   const Numbers zero = {}, one = zero + 1.0;
   Numbers n = zero, sum_t = zero, sum_tt = zero, sum_w = zero, sum_tw = zero, sum_ww = zero;
-  for (int k = 0; k < pixels; ++k) {
+  for (std::ptrdiff_t k = 0; k < pixels; ++k) {
     Numbers depth, ray;
     load(z + k * windows + first, depth);
     load(t + k * windows + first, ray);

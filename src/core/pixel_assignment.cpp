@@ -22,7 +22,7 @@ constexpr double kCreaseReach = 0.5;
 // A patch speaks for its own tile of the grid and for the eight around it.
 void PixelAssigner::findSpans(const Tiles& tiles, int row, int width, std::vector<Span>& spans) {
   spans.clear();
-  const int* const here = tiles.cluster_of + row * tiles.columns;
+  const int* const here = tiles.cluster_at + row * tiles.columns;
   const std::array<const int*, 3> rows = {row > 0 ? here - tiles.columns : here, here,
                                           row + 1 < tiles.rows ? here + tiles.columns : here};
   for (int c = 0; c < tiles.columns; ++c) {

@@ -38,18 +38,11 @@ PointMoments momentsOf(const PixelSums& sums) {
 void PlaneMeasurement::sumLabels(const DepthImage& depth, const ViewRays& rays, int label_count,
                                  const LabelRuns& image) {
   sums_.assign(static_cast<std::size_t>(label_count) + 1, PixelSums{});
-  if (image.runs.empty()) return;
-  const int last = depth.height - 1;
-  const std::size_t padded = rays.x.size() + PixelSums::kLanes;
-  ray_x_.assign(padded, 0.0);
-  std::copy(rays.x.begin(), rays.x.end(), ray_x_.begin());
-  last_row_.assign(padded, 0.0F);
-  std::copy_n(depth.row(last), depth.width, last_row_.begin());
+  ray_x_.assign(rays.x.begin(), rays.x.end());
   for (const LabelRun& run : image.runs) {
     if (run.label == 0) continue;
-    const float* const z = run.row < last ? depth.row(run.row) : last_row_.data();
-    addRun(z + run.first, ray_x_.data() + run.first, rays.y[static_cast<std::size_t>(run.row)], run.pixels(),
-           sums_[run.label]);
+    addRun(depth.row(run.row) + run.first, ray_x_.data() + run.first,
+           rays.y[static_cast<std::size_t>(run.row)], run.pixels(), sums_[run.label]);
   }
 }
 

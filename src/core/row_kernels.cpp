@@ -74,6 +74,9 @@ int* appendMarked(const std::uint8_t* marks, int count, int* columns) {
     for (int i = 0; i < kMarkBlock; i += kMarks) {
       Word word;
       std::memcpy(&word, marks + first + i, sizeof(word));
+#if defined(__BYTE_ORDER__) && __BYTE_ORDER__ == __ORDER_BIG_ENDIAN__
+      word = __builtin_bswap64(word);
+#endif
       // Each mark is multiplied into a bit of the highest byte.
       bits |= word * 0x0102040810204080 >> (kMarkBlock - kMarks) << i;
     }
@@ -105,7 +108,7 @@ void assignIfBetter(const float* __restrict z, const float* __restrict depth_ove
                     std::uint16_t* __restrict label) {
   constexpr int kBlock = 16, kHalf = kBlock / 2;
   const RowOfPlane p = plane;
-  const auto assign = [&](int first, int pixels) {
+  const auto assign = [&](int first, int pixels) LPS_INLINED {
     for (int i = first; i < first + pixels; ++i) {
       const float inverse = depth_over_noise[i] < p.inverse_across ? depth_over_noise[i] : p.inverse_across;
       const float error = std::fabs(1.0F - z[i] * (p.slope * x[i] + p.offset)) * inverse;
@@ -132,14 +135,18 @@ void addRun(const float* z, const double* x, double y, int count, PixelSums& sum
   constexpr int kLanes = PixelSums::kLanes;
   using Depths __attribute__((vector_size(kLanes * sizeof(float)))) = float;
   using Lanes __attribute__((vector_size(kLanes * sizeof(double)))) = double;
-  static constexpr std::array<float, 2 * kLanes> kKept = {1.0F, 1.0F, 1.0F, 1.0F};
+  static constexpr std::array<double, 2 * kLanes> kMask = {0.0, 0.0, 0.0, 0.0, 1.0, 1.0, 1.0, 1.0};
 
   Lanes sum_z{}, sum_zx{}, sum_zz{}, sum_zzx{}, sum_zzxx{}, sum_zzz{};
-  // Pixels from i on, those of a depth 0 being none.
-  const auto add = [&](const Depths& depths, int i) {
-    Lanes ray;
-    std::memcpy(&ray, x + i, sizeof(ray));
-    const Lanes depth = {depths[0], depths[1], depths[2], depths[3]};
+  // The next pixels to be added, those of a depth 0 being none.
+  Lanes depth{}, ray{};
+  const auto load = [&](int first) LPS_INLINED {
+    Depths depths;
+    std::memcpy(&depths, z + first, sizeof(depths));
+    depth = Lanes{depths[0], depths[1], depths[2], depths[3]};
+    std::memcpy(&ray, x + first, sizeof(ray));
+  };
+  const auto add = [&]() LPS_INLINED {
     const Lanes square = depth * depth, square_ray = square * ray;
     sum_z += depth;
     sum_zx += depth * ray;
@@ -148,17 +155,26 @@ void addRun(const float* z, const double* x, double y, int count, PixelSums& sum
     sum_zzxx += square_ray * ray;
     sum_zzz += square * depth;
   };
-  Depths depths, kept;
-  int i = 0;
-  for (; i + kLanes <= count; i += kLanes) {
-    std::memcpy(&depths, z + i, sizeof(depths));
-    add(depths, i);
+  if (count < kLanes) {
+    for (int i = 0; i < count; ++i) {
+      depth[i] = static_cast<double>(z[i]);
+      ray[i] = x[i];
+    }
+  } else {
+    int i = 0;
+    for (; i + kLanes <= count; i += kLanes) {
+      load(i);
+      add();
+    }
+    // What is left lies at the end of the run's last lanes; those before have been added.
+    Lanes kept;
+    std::memcpy(&kept, kMask.data() + (count - i), sizeof(kept));
+    load(count - kLanes);
+    depth *= kept;
   }
-  std::memcpy(&depths, z + i, sizeof(depths));
-  std::memcpy(&kept, kKept.data() + kLanes - (count - i), sizeof(kept));
-  add(depths * kept, i);
+  add();
 
-  const auto addTo = [](PixelSums::Lanes& sum, const Lanes& more) {
+  const auto addTo = [](PixelSums::Lanes& sum, const Lanes& more) LPS_INLINED {
     Lanes lanes;
     std::memcpy(&lanes, sum.data(), sizeof(lanes));
     lanes += more;

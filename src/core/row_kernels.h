@@ -79,7 +79,7 @@ void assignIfBetter(const float* z, const float* depth_over_noise, const float* 
                     const RowOfPlane& plane, float* best, std::uint16_t* label);
 
 /// Adds a run of `count` pixels of one row. The order of summation is fixed: the same bits on every machine.
-/// @param z, x  followed by kLanes more numbers, which are read and, being finite, do not matter
+/// @param z  finite, as all depths are
 void addRun(const float* z, const double* x, double y, int count, PixelSums& sums);
 
 }  // namespace line_plane_segmentation

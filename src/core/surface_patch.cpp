@@ -41,14 +41,6 @@ void lay(const DepthImage& depth, int spacing, PatchGrid& grid) {
   grid.has_line.assign(static_cast<std::size_t>(grid.crossings()), 0);
 }
 
-// Which of the coarse grid's columns, or rows, the fine grid's lie in, as PatchLevels has it.
-void findTiles(const PatchGrid& fine, int fine_count, int coarse_spacing, int coarse_count,
-               std::vector<int>& tiles) {
-  tiles.clear();
-  for (int i = -1; i <= fine_count; ++i)
-    tiles.push_back(std::clamp(fine.pixelOf(i) / coarse_spacing, 0, coarse_count - 1));
-}
-
 }  // namespace
 
 void PatchGrid::spread(const std::vector<int>& of_patch, int first, std::vector<int>& of_crossing) const {
@@ -85,7 +77,7 @@ void PatchDetector::sumWindows(const DepthImage& depth, const ViewRays& rays, in
   t_.resize(row_t_.size());
   widen(depth.row(v), static_cast<std::size_t>(depth.width), half_window, wide_row_);
   gatherWindows(wide_row_.data(), half_window, z_.data());
-  sumPixels(z_.data(), row_t_.data(), steps, lanes, lanesFrom(0, row_sums_));
+  sumPixels(z_.data(), row_t_.data(), steps, lanes, lanesOf(row_sums_));
 
   float* z = z_.data();
   float* t = t_.data();
@@ -95,7 +87,7 @@ void PatchDetector::sumWindows(const DepthImage& depth, const ViewRays& rays, in
     z = is_inside ? gather(row, columns_, z) : std::fill_n(z, lanes, 0.0F);
     t = std::fill_n(t, lanes, rays.y[static_cast<std::size_t>(is_inside ? j : v)]);
   }
-  sumPixels(z_.data(), t_.data(), steps, lanes, lanesFrom(0, column_sums_));
+  sumPixels(z_.data(), t_.data(), steps, lanes, lanesOf(column_sums_));
 }
 
 // Fits planes to the windows of a row of crossings with the ray y.
@@ -104,8 +96,8 @@ void PatchDetector::fit(double y, int half_window, const Parameters& parameters)
   const CrossingBounds bounds{DepthTolerance{parameters.noise, parameters.patches.patch_noise_factor,
                                              parameters.patches.patch_distance},
                               parameters.patches.patch_flatness, min_points};
-  fitCrossings(lanesFrom(0, row_sums_), lanesFrom(0, column_sums_), x_.data(), y,
-               static_cast<int>(columns_.size()), bounds, fits_);
+  fitCrossings(lanesOf(row_sums_), lanesOf(column_sums_), x_.data(), y, static_cast<int>(columns_.size()),
+               bounds, fits_);
 }
 
 // Looks at the crossings of a row of the grid that have been chosen.
@@ -143,8 +135,11 @@ void PatchDetector::refine(const DepthImage& depth, const ViewRays& rays, const 
   // An image smaller than a tile has no coarse crossing that could ask for more.
   if (fine.spacing >= coarse.spacing || coarse.crossings() == 0) return;
 
-  findTiles(fine, fine.columns, coarse.spacing, coarse.columns, levels.tile_columns);
-  findTiles(fine, fine.rows, coarse.spacing, coarse.rows, levels.tile_rows);
+  levels.tile_columns.clear();
+  levels.tile_rows.clear();
+  for (int c = -1; c <= fine.columns; ++c) levels.tile_columns.push_back(coarse.indexAt(fine.pixelOf(c), 0));
+  for (int r = -1; r <= fine.rows; ++r)
+    levels.tile_rows.push_back(coarse.indexAt(0, fine.pixelOf(r)) / coarse.columns);
   const int half_window =
       std::max(kMinHalfWindow, parameters.lines.line_window * fine.spacing / coarse.spacing / 2);
   for (int r = 0; r < fine.rows; ++r) {

@@ -46,8 +46,8 @@ class Crossings {
               along_row ? y_ : static_cast<double>(t.back()), along_row);
         }
       }
-      sumPixels(z.data(), t.data(), 11, count_, lanesFrom(0, along_row ? rows_ : columns_));
-      scalar::sumPixels(z.data(), t.data(), 11, count_, lanesFrom(0, along_row ? twin_rows_ : twin_columns_));
+      sumPixels(z.data(), t.data(), 11, count_, lanesOf(along_row ? rows_ : columns_));
+      scalar::sumPixels(z.data(), t.data(), 11, count_, lanesOf(along_row ? twin_rows_ : twin_columns_));
     }
   }
 
@@ -105,7 +105,7 @@ TEST(PatchKernels, SumsAreThoseOfThePixelsWithADepth) {
     Crossings crossings(random);
     ASSERT_TRUE(isSame(crossings.rows_, crossings.twin_rows_, crossings.count_));
     ASSERT_TRUE(isSame(crossings.columns_, crossings.twin_columns_, crossings.count_));
-    const WindowLanes row = lanesFrom(0, crossings.rows_);
+    const WindowLanes row = lanesOf(crossings.rows_);
     for (std::size_t i = 0; i < crossings.pixels_.size(); ++i) {
       double t = 0.0, tt = 0.0, w = 0.0, tw = 0.0, ww = 0.0;
       for (const Eigen::Vector2d& pixel : crossings.pixels_[i].row) {
@@ -132,11 +132,11 @@ TEST(PatchKernels, CrossingsAreLeastSquares) {
     Random random(seed);
     Crossings crossings(random);
     CrossingFits fits, twin;
-    fits.setZero(crossings.count_);
-    twin.setZero(crossings.count_);
-    fitCrossings(lanesFrom(0, crossings.rows_), lanesFrom(0, crossings.columns_), crossings.x_.data(),
-                 crossings.y_, crossings.count_, bounds, fits);
-    scalar::fitCrossings(lanesFrom(0, crossings.rows_), lanesFrom(0, crossings.columns_), crossings.x_.data(),
+    fits.resize(crossings.count_);
+    twin.resize(crossings.count_);
+    fitCrossings(lanesOf(crossings.rows_), lanesOf(crossings.columns_), crossings.x_.data(), crossings.y_,
+                 crossings.count_, bounds, fits);
+    scalar::fitCrossings(lanesOf(crossings.rows_), lanesOf(crossings.columns_), crossings.x_.data(),
                          crossings.y_, crossings.count_, bounds, twin);
     ASSERT_TRUE(isSame(fits, twin, crossings.count_));
     for (std::size_t i = 0; i < crossings.pixels_.size(); ++i) {
@@ -178,7 +178,8 @@ TEST(PatchKernels, CrossingsAreLeastSquares) {
 TEST(PatchKernels, WindowsThatFixNoPlaneAreNotPlanar) {
   const CrossingBounds bounds{DepthTolerance{NoiseParameters{}, 1.6, 0.004}, 1.2, 0.0};
   WindowSums nothing;
-  nothing.setZero(3);
+  nothing.resize(3);
+  std::fill_n(nothing.row(0), 6 * 3, 0.0);
   CrossingFits fits;
   const auto forget = [&fits] { fits.resize(3), std::fill_n(fits.row(0), 17 * 3, 1.0); };
   const auto expectNone = [&fits] {
@@ -186,22 +187,22 @@ TEST(PatchKernels, WindowsThatFixNoPlaneAreNotPlanar) {
   };
   forget();
   const std::vector<float> x(3, 0.1F);
-  fitCrossings(lanesFrom(0, nothing), lanesFrom(0, nothing), x.data(), 0.2, 3, bounds, fits);
+  fitCrossings(lanesOf(nothing), lanesOf(nothing), x.data(), 0.2, 3, bounds, fits);
   expectNone();
 
   // All pixels of a row's window at one ray, as of an image without a focal length.
   const std::vector<float> z(27, 1.0F), t(27, 0.1F);
   WindowSums rows;
   rows.resize(3);
-  sumPixels(z.data(), t.data(), 9, 3, lanesFrom(0, rows));
+  sumPixels(z.data(), t.data(), 9, 3, lanesOf(rows));
   forget();
-  fitCrossings(lanesFrom(0, rows), lanesFrom(0, rows), x.data(), 0.1, 3, bounds, fits);
+  fitCrossings(lanesOf(rows), lanesOf(rows), x.data(), 0.1, 3, bounds, fits);
   expectNone();
 
-  fitCrossings(lanesFrom(0, rows), lanesFrom(0, rows), x.data(), 0.1, 0, bounds, fits);
-  sumPixels(nullptr, nullptr, 0, 0, lanesFrom(0, rows));
-  sumPixels(nullptr, nullptr, 0, 3, lanesFrom(0, rows));
-  for (int i = 0; i < 3; ++i) EXPECT_EQ(lanesFrom(0, rows)[i].n, 0.0);
+  fitCrossings(lanesOf(rows), lanesOf(rows), x.data(), 0.1, 0, bounds, fits);
+  sumPixels(nullptr, nullptr, 0, 0, lanesOf(rows));
+  sumPixels(nullptr, nullptr, 0, 3, lanesOf(rows));
+  for (int i = 0; i < 3; ++i) EXPECT_EQ(lanesOf(rows)[i].n, 0.0);
 }
 
 }  // namespace

@@ -197,18 +197,22 @@ TEST(PixelAssigner, PartsTwoWallsAlongTheirCorner) {
   }
 }
 
-/// One plane with three pixels of a row moved away by so many tolerances; what they are labelled.
-std::uint16_t labelOfMovedPixels(double tolerances, int pixels) {
+/// One plane with pixels of a row moved away, each by so many tolerances; what the first is labelled.
+std::uint16_t labelOfMovedPixels(const std::vector<double>& tolerances) {
   const Surface surface = surfaceAt(1.5);
   Parameters parameters = adaptiveParameters(320);
   parameters.extraction.plane_distance = 0.001;  // so that the tolerance is that of the noise
   PixelAssigner assigner;
   Assignment assignment(render(surface, kinectCamera(320, 240), 320, 240), parameters, assigner);
   const double sigma = parameters.extraction.distance_noise_factor * parameters.noise.sigma(1.5);
-  for (int i = 0; i < pixels; ++i)
-    assignment.depth.row(100)[150 + i] = static_cast<float>(1.5 + tolerances * sigma);
+  for (std::size_t i = 0; i < tolerances.size(); ++i)
+    assignment.depth.row(100)[150 + i] = static_cast<float>(1.5 + tolerances[i] * sigma);
   assignment.assign(assigner);
   return assignment.labels[assignment.depth.index(150, 100)];
+}
+
+std::uint16_t labelOfMovedPixels(double tolerances, int pixels) {
+  return labelOfMovedPixels(std::vector<double>(static_cast<std::size_t>(pixels), tolerances));
 }
 
 TEST(PixelAssigner, JoinsOverASpeckleNearThePlane) {
@@ -217,6 +221,9 @@ TEST(PixelAssigner, JoinsOverASpeckleNearThePlane) {
   EXPECT_EQ(labelOfMovedPixels(1.5, kMaxSpeckle), 1) << "a speckle";
   EXPECT_EQ(labelOfMovedPixels(1.5, kMaxSpeckle + 1), 0) << "too wide for a speckle";
   EXPECT_EQ(labelOfMovedPixels(5.0, kMaxSpeckle), 0) << "too far off for a speckle";
+  for (const std::vector<double>& speckle :
+       {std::vector<double>{5.0, 1.5, 1.5}, {1.5, 5.0, 1.5}, {1.5, 1.5, 5.0}})
+    EXPECT_EQ(labelOfMovedPixels(speckle), 0) << "one of its pixels is";
 }
 
 TEST(PixelAssigner, OfNoPlanesOrNoDepthGivesNoLabels) {

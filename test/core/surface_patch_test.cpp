@@ -195,6 +195,12 @@ TEST(PatchDetector, RefinesWhereThereAreLines) {
   EXPECT_EQ(levels.fine.spacing, parameters.scanlines.fine_spacing);
   EXPECT_EQ(levels.count(), static_cast<int>(levels.coarse.patches.size() + levels.fine.patches.size()));
   ASSERT_GT(levels.fine.patches.size(), levels.coarse.patches.size());
+  const int spacing = levels.coarse.spacing;
+  for (int c = -1; c <= levels.fine.columns; ++c)
+    EXPECT_EQ(levels.tileColumn(c),
+              std::clamp(levels.fine.pixelOf(c) / spacing, 0, levels.coarse.columns - 1));
+  for (int r = -1; r <= levels.fine.rows; ++r)
+    EXPECT_EQ(levels.tileRow(r), std::clamp(levels.fine.pixelOf(r) / spacing, 0, levels.coarse.rows - 1));
   for (int i = levels.firstFine(); i < levels.count(); ++i) {
     const SurfacePatch& patch = levels.patch(i);
     EXPECT_NEAR(1.0 / patch.plane.inverseDistance(), surface.d, 1e-3);
