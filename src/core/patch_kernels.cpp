@@ -15,22 +15,22 @@ constexpr int kBlock = 8;
 using Floats = float __attribute__((vector_size(kBlock * sizeof(float))));
 using Doubles = double __attribute__((vector_size(kBlock * sizeof(double))));
 
-LPS_ALWAYS_INLINE void load(const float* from, Doubles& numbers) {
+inline void load(const float* from, Doubles& numbers) {
   Floats floats;
   std::memcpy(&floats, from, sizeof floats);
   numbers = __builtin_convertvector(floats, Doubles);
 }
-LPS_ALWAYS_INLINE void load(const float* from, double& number) { number = static_cast<double>(*from); }
+inline void load(const float* from, double& number) { number = static_cast<double>(*from); }
 
 template <typename Numbers>
-LPS_ALWAYS_INLINE void store(const Numbers& numbers, double* to) {
+inline void store(const Numbers& numbers, double* to) {
   std::memcpy(to, &numbers, sizeof numbers);
 }
 
 // Sums as many windows, from `first` on, as there are Numbers.
 template <typename Numbers>
-LPS_ALWAYS_INLINE void sumWindows(const float* z, const float* t, int pixels, int windows, int first,
-                                  const WindowLanes& sums) {
+inline void sumWindows(const float* z, const float* t, int pixels, int windows, int first,
+                       const WindowLanes& sums) {
   const Numbers zero = {}, one = zero + 1.0;
   Numbers n = zero, sum_t = zero, sum_tt = zero, sum_w = zero, sum_tw = zero, sum_ww = zero;
   for (std::ptrdiff_t k = 0; k < pixels; ++k) {

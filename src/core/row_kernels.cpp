@@ -108,7 +108,7 @@ void assignIfBetter(const float* __restrict z, const float* __restrict depth_ove
                     std::uint16_t* __restrict label) {
   constexpr int kBlock = 16, kHalf = kBlock / 2;
   const RowOfPlane p = plane;
-  const auto assign = [&](int first, int pixels) LPS_INLINED {
+  const auto assign = [&](int first, int pixels) {
     for (int i = first; i < first + pixels; ++i) {
       const float inverse = depth_over_noise[i] < p.inverse_across ? depth_over_noise[i] : p.inverse_across;
       const float error = std::fabs(1.0F - z[i] * (p.slope * x[i] + p.offset)) * inverse;
@@ -140,13 +140,13 @@ void addRun(const float* z, const double* x, double y, int count, PixelSums& sum
   Lanes sum_z{}, sum_zx{}, sum_zz{}, sum_zzx{}, sum_zzxx{}, sum_zzz{};
   // The next pixels to be added, those of a depth 0 being none.
   Lanes depth{}, ray{};
-  const auto load = [&](int first) LPS_INLINED {
+  const auto load = [&](int first) {
     Depths depths;
     std::memcpy(&depths, z + first, sizeof(depths));
     depth = Lanes{depths[0], depths[1], depths[2], depths[3]};
     std::memcpy(&ray, x + first, sizeof(ray));
   };
-  const auto add = [&]() LPS_INLINED {
+  const auto add = [&]() {
     const Lanes square = depth * depth, square_ray = square * ray;
     sum_z += depth;
     sum_zx += depth * ray;
@@ -174,7 +174,7 @@ void addRun(const float* z, const double* x, double y, int count, PixelSums& sum
   }
   add();
 
-  const auto addTo = [](PixelSums::Lanes& sum, const Lanes& more) LPS_INLINED {
+  const auto addTo = [](PixelSums::Lanes& sum, const Lanes& more) {
     Lanes lanes;
     std::memcpy(&lanes, sum.data(), sizeof(lanes));
     lanes += more;
