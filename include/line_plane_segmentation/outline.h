@@ -44,6 +44,7 @@ class OutlineTracer {
   void trace(const CameraIntrinsics& camera, const OutlineParameters& parameters, Segmentation& segmentation);
 
   /// The same for who has the runs that the labels were written from; saves looking for them.
+  /// @param runs  of the labels, covering the image; neighbours in a row may have the same label
   void trace(const CameraIntrinsics& camera, const OutlineParameters& parameters, const LabelRuns& runs,
              Segmentation& segmentation);
 

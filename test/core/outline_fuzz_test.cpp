@@ -136,21 +136,45 @@ TEST_P(OutlineFuzzTest, BordersStayWithinTheTolerance) {
   }
 }
 
-// Pixels without a depth and those of no plane are other runs, but have one label in the image.
+/// Parts runs at random: neighbours in a row then have the same label.
+LabelRuns partedRuns(const LabelRuns& whole, Random& random) {
+  LabelRuns parted;
+  parted.clear();
+  for (std::size_t row = 0; row + 1 < whole.row_begin.size(); ++row) {
+    for (std::size_t i = whole.row_begin[row]; i < whole.row_begin[row + 1]; ++i) {
+      LabelRun rest = whole.runs[i];
+      while (rest.pixels() > 1 && random.chance(0.6)) {
+        LabelRun part = rest;
+        part.last = rest.first = random.integer(rest.first + 1, rest.last - 1);
+        parted.runs.push_back(part);
+      }
+      parted.runs.push_back(rest);
+    }
+    parted.row_begin.push_back(parted.runs.size());
+  }
+  return parted;
+}
+
 TEST_P(OutlineFuzzTest, AreTheSameFromTheRunsOfTheLabels) {
   for (std::uint64_t seed = 0; seed < 50; ++seed) {
     ASSERT_NO_FATAL_FAILURE(trace(seed, 56));
     Random random(seed);
-    std::vector<std::uint16_t> labels = segmentation_.labels;
-    for (std::uint16_t& label : labels) label = label == 0 && random.chance(0.3) ? kNoDepthLabel : label;
-    LabelRuns runs;
-    runs.scan(labels, segmentation_.width, segmentation_.height);
+    LabelRuns whole;
+    whole.scan(segmentation_.labels, segmentation_.width, segmentation_.height);
     Segmentation from_runs = segmentation_;
-    tracer_.trace(camera_, parameters_, runs, from_runs);
+    tracer_.trace(camera_, parameters_, partedRuns(whole, random), from_runs);
     ASSERT_EQ(from_runs.vertices, segmentation_.vertices) << seed;
     ASSERT_EQ(from_runs.rings.size(), segmentation_.rings.size()) << seed;
-    for (std::size_t k = 0; k < from_runs.planes.size(); ++k)
-      ASSERT_EQ(from_runs.planes[k].hole_count, segmentation_.planes[k].hole_count) << caseOf(seed, k);
+    for (std::size_t i = 0; i < from_runs.rings.size(); ++i) {
+      ASSERT_EQ(from_runs.rings[i].first_vertex, segmentation_.rings[i].first_vertex) << seed;
+      ASSERT_EQ(from_runs.rings[i].vertex_count, segmentation_.rings[i].vertex_count) << seed;
+    }
+    for (std::size_t k = 0; k < from_runs.planes.size(); ++k) {
+      const SegmentedPlane &plane = from_runs.planes[k], &expected = segmentation_.planes[k];
+      ASSERT_EQ(plane.first_ring, expected.first_ring) << caseOf(seed, k);
+      ASSERT_EQ(plane.outer_ring_count, expected.outer_ring_count) << caseOf(seed, k);
+      ASSERT_EQ(plane.hole_count, expected.hole_count) << caseOf(seed, k);
+    }
   }
 }
 
