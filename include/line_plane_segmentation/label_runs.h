@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -71,19 +70,16 @@ void LabelRuns::joinOverSpeckles(int max_pixels, Predicate&& isLike) {
   row_begin.back() = kept;
 }
 
-/// Calls `visit(a, b, pixels)` for each two runs that lie above each other in `pixels` columns, a above b.
+/// Calls `visit(a, b)` for each two runs that lie above each other in some columns, a above b.
 template <typename Visitor>
 void forEachVerticalContact(const LabelRuns& image, Visitor&& visit) {
   if (image.row_begin.size() < 3) return;
   // The last runs of two rows end in the same column, so both rows then go on to the next.
   for (std::size_t a = 0, b = image.row_begin[1]; b < image.runs.size();) {
-    const LabelRun &above = image.runs[a], &below = image.runs[b];
-    const int first = std::max(above.first, below.first), last = std::min(above.last, below.last);
-    // Without a branch, which would be mispredicted half of the time: the sign bit of a difference.
-    const int ahead = above.last - below.last;
-    visit(a, b, last - first);
-    a += 1U - (static_cast<unsigned>(-ahead) >> 31U);
-    b += 1U - (static_cast<unsigned>(ahead) >> 31U);
+    const int last_above = image.runs[a].last, last_below = image.runs[b].last;
+    visit(a, b);
+    a += last_above <= last_below ? 1U : 0U;
+    b += last_below <= last_above ? 1U : 0U;
   }
 }
 

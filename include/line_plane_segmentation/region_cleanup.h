@@ -26,17 +26,19 @@ class RegionCleaner {
   int clusterOf(int label) const { return order_[static_cast<std::size_t>(label - 1)] - 1; }
 
  private:
+  /// Pieces without depth border on nothing; only small ones may go to an heir.
+  enum Size : std::uint8_t { kNoDepth = 0, kSmall = 1, kLarge = 2 };
+
   /// A connected piece of one label.
   struct Piece {
     std::uint16_t label = 0;
     std::uint16_t heir = 0;  ///< what most of its border touches, or 0; of a small piece
-    bool is_small = false;   ///< it may go to its heir
+    Size size = kNoDepth;
     int pixels = 0;
-    int lead = 0;              ///< of the heir while it is voted for
-    int border = 0, held = 0;  ///< [px] that it shares with large pieces, and of them with the heir
-    double error = 0.0;        ///< its pixels' errors to the heir's plane, in tolerances
+    int lead = 0;    ///< of the heir while it is voted for
+    int excess = 0;  ///< [px] of its border with large pieces: twice what the heir holds, less all of it
   };
-  /// Two runs with depths and of different labels, the first one above or to the left of the second.
+  /// Two runs that touch, the first one above or to the left of the second.
   struct Border {
     int first, second;
   };
@@ -48,18 +50,30 @@ class RegionCleaner {
   };
 
   int find(int run);
+  Piece& pieceOf(int run) {
+    return pieces_[static_cast<std::size_t>(piece_of_[static_cast<std::size_t>(run)])];
+  }
   void connect(const LabelRuns& image);
-  void listPieces(int min_region_pixels, const LabelRuns& image);
-  void keepBordersOfSmall();
+  void growBorders();
+  /// All are stored and the right ones counted: a branch would be mispredicted.
+  void addBorderIf(bool is_border, const Border& border) {
+    if (border_count_ == borders_.size()) growBorders();
+    borders_[border_count_] = border;
+    border_count_ += is_border ? 1U : 0U;
+  }
+  void numberPieces(const LabelRuns& image);
+  void measurePieces(int min_region_pixels, const LabelRuns& image);
+  void listBordersOfSmall(const LabelRuns& image);
   void findContacts(const DepthImage& depth, const Parameters& parameters, const LabelRuns& image);
   void chooseHeirs();
   void dropFarHeirs(const DepthImage& depth, const ViewRays& rays, const std::vector<PatchCluster>& clusters,
                     const Parameters& parameters, const LabelRuns& image);
   int renumber(int min_plane_inliers, int label_count);
 
-  std::vector<int> piece_of_;  // of each run; before the pieces are listed, another run of the piece
-  std::vector<Piece> pieces_;  // the first one is of all pixels without depth
-  std::vector<Border> borders_;
+  std::vector<int> piece_of_;    // of each run; before pieces have numbers, an earlier run of it, or itself
+  std::vector<Piece> pieces_;    // the first one is of all pixels without depth
+  std::vector<double> errors_;   // of each piece's pixels to the heir's plane, in tolerances
+  std::vector<Border> borders_;  // the first ones, as many as are counted
   std::size_t border_count_ = 0;
   std::vector<Contact> contacts_;
   std::vector<int> label_pixels_, order_;

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "line_plane_segmentation/label_runs.h"
 
-#include <algorithm>
-#include <array>
-#include <cstring>
+#include <cstddef>
 
 #include "multiversion.h"
 #include "row_kernels.h"
@@ -38,8 +36,7 @@ void LabelRuns::addRow(const std::uint16_t* labels, int width) {
   }
   markChanges(labels, width, changes_.data());
   const int* const end = appendMarked(changes_.data(), width, columns_.data());
-  // Grown by a quarter and not to twice the size: a cluttered VGA image has 100,000 runs, which are most of
-  // the memory.
+  // Grown by a quarter and not to twice the size: a cluttered VGA image has 100,000 runs.
   const std::size_t needed = runs.size() + static_cast<std::size_t>(end - columns_.data()) + 1;
   if (needed > runs.capacity()) runs.reserve(needed + runs.size() / 4);
   LabelRun* run = runs.data() + runs.size();
@@ -72,12 +69,11 @@ void LabelRuns::join() {
     row_begin[row] = kept;
     int first = 0, label = -1;
     for (std::size_t i = begin; i < end; ++i) {
-      // With a factor and not a branch: whether neighbours have come to be alike is hard to predict.
       const LabelRun run = runs[i];
-      const int is_another = static_cast<int>(run.label != label);
-      first += is_another * (run.first - first);
+      const bool is_another = run.label != label;
+      first = is_another ? run.first : first;
       label = run.label;
-      kept += static_cast<std::size_t>(is_another);
+      kept += is_another ? 1U : 0U;
       runs[kept - 1] = {run.row, first, run.last, run.label};
     }
   }

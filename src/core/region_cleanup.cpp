@@ -47,64 +47,72 @@ int RegionCleaner::find(int run) {
 
 // Hangs runs of one label that touch under the first of them, and lists the borders between labels.
 void RegionCleaner::connect(const LabelRuns& image) {
-  const std::size_t count = image.runs.size();
-  piece_of_.resize(count);
+  piece_of_.resize(image.runs.size());
   std::iota(piece_of_.begin(), piece_of_.end(), 0);
-  if (borders_.size() < 3 * count) borders_.resize(3 * count);
   border_count_ = 0;
-  forEachVerticalContact(image, [&](std::size_t above, std::size_t below, int) {
+  forEachVerticalContact(image, [&](std::size_t above, std::size_t below) {
     const std::uint16_t label = image.runs[above].label, label_below = image.runs[below].label;
     const bool have_depth = std::max(label, label_below) != kNoDepthLabel;
-    // All are stored and the right ones counted, without a branch.
-    borders_[border_count_] = {static_cast<int>(above), static_cast<int>(below)};
-    border_count_ += static_cast<std::size_t>((label != label_below) & have_depth);
+    addBorderIf((label != label_below) & have_depth, {static_cast<int>(above), static_cast<int>(below)});
     if (label != label_below || !have_depth) return;
     const int a = find(static_cast<int>(above)), b = find(static_cast<int>(below));
     piece_of_[static_cast<std::size_t>(std::max(a, b))] = std::min(a, b);
   });
-  for (std::size_t i = 1; i < count; ++i) {
-    const LabelRun &left = image.runs[i - 1], &right = image.runs[i];
-    const bool have_depth = std::max(left.label, right.label) != kNoDepthLabel;
-    borders_[border_count_] = {static_cast<int>(i) - 1, static_cast<int>(i)};
-    border_count_ += static_cast<std::size_t>((left.row == right.row) & have_depth);
-  }
 }
 
-void RegionCleaner::listPieces(int min_region_pixels, const LabelRuns& image) {
-  pieces_.assign(1, Piece{});
-  const std::size_t count = image.runs.size();
-  for (std::size_t i = 0; i < count; ++i) {
-    const LabelRun& run = image.runs[i];
-    // A run hangs under an earlier one, whose piece is known, or is the first of a piece.
+// Grown by a quarter and not to twice the size: clutter has as many borders as runs.
+void RegionCleaner::growBorders() {
+  borders_.reserve(borders_.size() + borders_.size() / 4 + 1024);
+  borders_.resize(borders_.capacity());
+}
+
+// Numbers the pieces, from 1 on; 0 is of all runs without depth. Factors stand for branches.
+void RegionCleaner::numberPieces(const LabelRuns& image) {
+  int count = 1;
+  for (std::size_t i = 0; i < piece_of_.size(); ++i) {
+    // A run hangs under an earlier one, which has its number, or is the first of a piece and has the next.
     const std::size_t parent = static_cast<std::size_t>(piece_of_[i]);
-    const bool has_depth = run.label != kNoDepthLabel;
-    int piece = has_depth ? piece_of_[parent] : 0;
-    if (has_depth & (parent == i)) {
-      piece = static_cast<int>(pieces_.size());
-      pieces_.emplace_back();
-      pieces_.back().label = run.label;
-    }
-    piece_of_[i] = piece;
-    pieces_[static_cast<std::size_t>(piece)].pixels += run.pixels();
+    piece_of_[i] = count;
+    const int has_depth = image.runs[i].label != kNoDepthLabel ? 1 : 0;
+    piece_of_[i] = has_depth * piece_of_[parent];
+    count += parent == i ? has_depth : 0;
   }
-  for (std::size_t i = 1; i < pieces_.size(); ++i) {
-    const int bound = pieces_[i].label == 0 ? kMaxGapRegions * min_region_pixels : min_region_pixels;
-    pieces_[i].is_small = pieces_[i].pixels < bound;
-  }
+  // Clutter has nearly as many pieces as runs: no more memory than they need, and none for both old and new.
+  pieces_.clear();
+  if (pieces_.capacity() < static_cast<std::size_t>(count)) std::vector<Piece>().swap(pieces_);
+  pieces_.resize(static_cast<std::size_t>(count));
 }
 
-// Keeps the borders between small and large pieces.
-void RegionCleaner::keepBordersOfSmall() {
-  const auto isSmall = [this](int run) {
-    return pieces_[static_cast<std::size_t>(piece_of_[static_cast<std::size_t>(run)])].is_small;
+void RegionCleaner::measurePieces(int min_region_pixels, const LabelRuns& image) {
+  for (std::size_t i = 0; i < piece_of_.size(); ++i) {
+    Piece& piece = pieces_[static_cast<std::size_t>(piece_of_[i])];
+    piece.label = image.runs[i].label;
+    piece.pixels += image.runs[i].pixels();
+  }
+  const std::int64_t min_gap_pixels = std::int64_t{kMaxGapRegions} * min_region_pixels;
+  for (Piece& piece : pieces_) {
+    piece.size = piece.pixels < (piece.label == 0 ? min_gap_pixels : min_region_pixels) ? kSmall : kLarge;
+  }
+  pieces_.front().label = 0;
+  pieces_.front().size = kNoDepth;
+}
+
+// Keeps of the borders those between small and large pieces, and adds those within the rows.
+void RegionCleaner::listBordersOfSmall(const LabelRuns& image) {
+  const auto isOfSmall = [this](int i, int j) {
+    return (pieceOf(i).size | pieceOf(j).size) == (kSmall | kLarge);
   };
   std::size_t kept = 0;
   for (std::size_t k = 0; k < border_count_; ++k) {
     const Border border = borders_[k];
     borders_[kept] = border;
-    kept += isSmall(border.first) != isSmall(border.second) ? 1U : 0U;
+    kept += isOfSmall(border.first, border.second) ? 1U : 0U;
   }
   border_count_ = kept;
+  for (int i = 1; i < static_cast<int>(image.runs.size()); ++i) {
+    const std::size_t at = static_cast<std::size_t>(i);
+    addBorderIf((image.runs[at - 1].row == image.runs[at].row) & isOfSmall(i - 1, i), {i - 1, i});
+  }
 }
 
 // Where small pieces touch large ones.
@@ -113,18 +121,19 @@ void RegionCleaner::findContacts(const DepthImage& depth, const Parameters& para
   contacts_.clear();
   const DepthTolerance tolerance{parameters.noise, kMaxStep * parameters.extraction.distance_noise_factor};
   for (std::size_t k = 0; k < border_count_; ++k) {
-    const std::size_t i = static_cast<std::size_t>(borders_[k].first);
-    const std::size_t j = static_cast<std::size_t>(borders_[k].second);
-    const LabelRun &a = image.runs[i], &b = image.runs[j];
+    const Border border = borders_[k];
+    const LabelRun& a = image.runs[static_cast<std::size_t>(border.first)];
+    const LabelRun& b = image.runs[static_cast<std::size_t>(border.second)];
     const bool are_beside = a.row == b.row;
     const int first = std::max(a.first, b.first);
     const int length = are_beside ? 1 : std::min(a.last, b.last) - first;
     const int touching = countTouching(depth.row(a.row) + (are_beside ? first - 1 : first),
                                        depth.row(b.row) + first, length, tolerance);
-    const bool a_is_small = pieces_[static_cast<std::size_t>(piece_of_[i])].is_small;
-    const int piece = piece_of_[a_is_small ? i : j];
-    pieces_[static_cast<std::size_t>(piece)].border += length;
-    contacts_.push_back({piece, a_is_small ? b.label : a.label, touching});
+    const bool a_is_small = pieceOf(border.first).size == kSmall;
+    const int small = a_is_small ? border.first : border.second;
+    pieceOf(small).excess -= length;
+    contacts_.push_back(
+        {piece_of_[static_cast<std::size_t>(small)], a_is_small ? b.label : a.label, touching});
   }
 }
 
@@ -142,10 +151,10 @@ void RegionCleaner::chooseHeirs() {
   }
   for (const Contact& contact : contacts_) {
     Piece& piece = pieces_[static_cast<std::size_t>(contact.piece)];
-    piece.held += contact.length * static_cast<int>(contact.label == piece.heir);
+    piece.excess += 2 * contact.length * static_cast<int>(contact.label == piece.heir);
   }
   for (Piece& piece : pieces_) {
-    if (2 * piece.held <= piece.border) piece.heir = 0;
+    if (piece.excess <= 0) piece.heir = 0;
   }
 }
 
@@ -155,24 +164,28 @@ void RegionCleaner::dropFarHeirs(const DepthImage& depth, const ViewRays& rays,
                                  const LabelRuns& image) {
   const NoiseParameters& noise = parameters.noise;
   const double factor = parameters.extraction.distance_noise_factor;
+  errors_.assign(pieces_.size(), 0.0);
   for (std::size_t i = 0; i < image.runs.size(); ++i) {
-    Piece& piece = pieces_[static_cast<std::size_t>(piece_of_[i])];
-    if (piece.heir == 0) continue;
+    const std::size_t piece = static_cast<std::size_t>(piece_of_[i]);
+    const std::uint16_t heir = pieces_[piece].heir;
+    if (heir == 0) continue;
     const LabelRun& run = image.runs[i];
-    const InverseDepthPlane& plane = clusters[piece.heir - 1U].plane;
+    const InverseDepthPlane& plane = clusters[heir - 1U].plane;
     const double y = rays.y[static_cast<std::size_t>(run.row)];
     const double across = parameters.extraction.plane_distance * plane.inverseDistance();
     const float* z_of = depth.row(run.row);
+    double error = errors_[piece];
     for (int u = run.first; u < run.last; ++u) {
       // The error in inverse depth over DepthTolerance::at(), both times z², which leaves one division.
       const double z = z_of[u], beyond = z - noise.nearest;
       const double expected = plane.at(rays.x[static_cast<std::size_t>(u)], y);
       const double tolerance = std::max(factor * (noise.floor + noise.growth * beyond * beyond), across * z);
-      piece.error += std::fabs(z - z * z * expected) / tolerance;
+      error += std::fabs(z - z * z * expected) / tolerance;
     }
+    errors_[piece] = error;
   }
-  for (Piece& piece : pieces_) {
-    if (piece.error > kMaxMeanError * piece.pixels) piece.heir = 0;
+  for (std::size_t i = 0; i < pieces_.size(); ++i) {
+    if (errors_[i] > kMaxMeanError * pieces_[i].pixels) pieces_[i].heir = 0;
   }
 }
 
@@ -180,7 +193,7 @@ void RegionCleaner::dropFarHeirs(const DepthImage& depth, const ViewRays& rays,
 int RegionCleaner::renumber(int min_plane_inliers, int label_count) {
   label_pixels_.assign(static_cast<std::size_t>(label_count) + 1, 0);
   for (Piece& piece : pieces_) {
-    if (piece.is_small) piece.label = piece.heir;
+    if (piece.size == kSmall) piece.label = piece.heir;
     label_pixels_[piece.label] += piece.pixels;
   }
   order_.clear();
@@ -205,8 +218,9 @@ int RegionCleaner::clean(const DepthImage& depth, const ViewRays& rays,
                          const std::vector<PatchCluster>& clusters, const Parameters& parameters,
                          LabelRuns& image) {
   connect(image);
-  listPieces(parameters.cleanup.min_region_pixels, image);
-  keepBordersOfSmall();
+  numberPieces(image);
+  measurePieces(parameters.cleanup.min_region_pixels, image);
+  listBordersOfSmall(image);
   findContacts(depth, parameters, image);
   chooseHeirs();
   dropFarHeirs(depth, rays, clusters, parameters, image);
