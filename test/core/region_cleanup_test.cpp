@@ -152,6 +152,29 @@ TEST(RegionCleaner, LeavesWhatLiesOffThePlaneAroundIt) {
   EXPECT_EQ(walls.at(13, 6), 0) << "its own plane is no plane, and the one around it is not its";
 }
 
+// A bump in the wall whose foot is no step: all of its border touches the wall.
+TEST(RegionCleaner, LeavesWhatRisesFromThePlaneWithoutAStep) {
+  const Region box = {5, 25, 5, 12};
+  const auto pixelsInNoPlane = [&box](double height) {
+    TwoWalls walls;
+    walls.parameters.extraction.plane_distance = 0.0;
+    for (int v = box.first_v; v < box.last_v; ++v) {
+      const bool is_foot = v == box.first_v || v + 1 == box.last_v;
+      for (int u = box.first_u; u < box.last_u; ++u) {
+        float& z = walls.depth.z[walls.depth.index(u, v)];
+        const double noise = walls.parameters.extraction.distance_noise_factor *
+                             walls.parameters.noise.sigma(static_cast<double>(z));
+        z -= static_cast<float>((is_foot ? 0.8 : height) * noise);
+      }
+    }
+    walls.label(0, box);
+    walls.clean();
+    return walls.pixelsOf(0);
+  };
+  EXPECT_EQ(pixelsInNoPlane(1.6), 0);
+  EXPECT_EQ(pixelsInNoPlane(4.0), 140) << "more than twice the tolerance on average";
+}
+
 TEST(RegionCleaner, GivesAPieceBetweenTwoPlanesToTheOneThatHoldsMostOfItsBorder) {
   TwoWalls walls;
   walls.label(0, {28, 31, 10, 14});  // two columns of it on the left wall, one on the right
