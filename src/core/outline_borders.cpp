@@ -60,9 +60,10 @@ void BorderFollower::follow(const std::uint16_t* labels, const LabelRuns& runs, 
     const int x = run.first, y = run.row;
     const std::ptrdiff_t to_left = x > 0 ? 1 : 0, to_above = y > 0 ? width : 0;
     const std::uint16_t* const here = labels + pixelAt(x, y);
-    const std::uint16_t left = here[-to_left], above_left = here[-to_above - to_left];
+    const std::uint16_t left = x > 0 ? here[-to_left] : std::uint16_t{0};
     const std::uint16_t above = y > 0 ? here[-to_above] : std::uint16_t{0};
-    const bool is_convex = is_label(*here) & (*here != above) & ((x == 0) | (*here != left));
+    const std::uint16_t above_left = here[-to_above - to_left];
+    const bool is_convex = is_label(*here) & (*here != above) & (*here != left);
     const bool is_reflex = is_label(above) & (above == left) & (above == above_left) & (*here != above);
     const int kinds = (is_convex ? kConvex : 0) | (is_reflex ? kReflex : 0);
     const std::size_t pixel = pixelAt(x, y);
