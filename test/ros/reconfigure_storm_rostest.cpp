@@ -107,9 +107,8 @@ TEST(ReconfigureStorm, leavesEachFrameOneSetOfParametersAndWaitsForNone) {
   const int requests = storm.stop();
   const double rate = requests / (now() - start);
   RecordProperty("requests_a_second", static_cast<int>(rate));
-  // It asks for 200 a second. How many are granted tells of the machine only, since dynamic_reconfigure
-  // writes all parameters to the parameter server each time; but they have to reach the frames.
-  EXPECT_GT(requests, kFrames / 2);
+  // It asks for 200, of which a busy machine need not grant all; but they have to reach the frames.
+  EXPECT_GT(rate, 50.0);
   int changes = 0;
   for (std::size_t i = 1; i < valid_pixels.size(); ++i)
     changes += valid_pixels[i] != valid_pixels[i - 1] ? 1 : 0;
