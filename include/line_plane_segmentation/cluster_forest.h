@@ -73,10 +73,10 @@ class ClusterForest {
  private:
   /// Two patches of clusters that may merge.
   struct Pair {
-    double cost = 0.0;  ///< of merging their clusters, as these were
-    int a = 0, b = 0;
-    int patches = 0;  ///< of both clusters then: clusters only grow, so the cost holds while this does; 0 at
-                      ///< first
+    double cost;  ///< of merging their clusters, as these were
+    int a, b;
+    int patches;  ///< of both clusters then: clusters only grow, so the cost holds while this does; 0 at
+                  ///< first
   };
 
   void replace(int a, int b, const FittedPixels& both);

@@ -42,7 +42,7 @@ class PatchClusterer {
     bool isSteady() const;
   };
 
-  bool isPlane(int root, const ClusterParameters& parameters) const;
+  bool isPlaneAt(int root, const ClusterParameters& parameters) const;
   void dismissClutter(const PatchGrid& coarse, std::vector<std::uint8_t>& explained);
   void addFine(const PatchLevels& levels, double limit);
   void trim(const PatchLevels& levels, int min_patches, std::vector<PatchCluster>& clusters,

@@ -98,7 +98,7 @@ class PatchDetector {
               const std::vector<std::uint8_t>& explained, PatchLevels& levels);
 
  private:
-  void chooseColumns(const PatchGrid& grid, const ViewRays& rays, int half_window);
+  void chooseColumns(const PatchGrid& grid, int half_window);
   void gatherWindows(const float* wide_row, int half_window, float* to) const;
   void sumWindows(const DepthImage& depth, const ViewRays& rays, int v, int half_window);
   void fit(double y, int half_window, const Parameters& parameters);
@@ -113,7 +113,7 @@ class PatchDetector {
   CrossingFits fits_;
   // Of each pixel of their windows, all first pixels first, depth and ray coordinate along the scanline.
   std::vector<float> z_, t_, row_t_;
-  std::vector<float> wide_row_;  // the numbers of an image row between margins of half a window
+  std::vector<float> wide_row_, wide_x_;  // an image row and its rays between margins of half a window
 };
 
 /// The patches as line segments (neighbours along a scanline whose lines go on from one to the next) and

@@ -44,9 +44,10 @@ constexpr double kSteadyStep = 10.0;
 // What a bound for small planes grows to for one that fills a share of the picture.
 double allowDistortion(double bound, double share) { return bound * (1.0 + share / kDistortedShare); }
 
-// Whether pixels that fill a share of the picture lie in a plane.
-bool isFlat(const FittedPixels& pixels, double share, const ClusterParameters& parameters) {
-  return pixels.squared_error <= allowDistortion(parameters.max_curvedness, share) * pixels.moments.pixels;
+// Whether the pixels of so many patches, which fill a share of the picture, are enough of a plane and flat.
+bool isPlane(const FittedPixels& pixels, int patches, double share, const ClusterParameters& parameters) {
+  return patches >= parameters.min_patches &&
+         pixels.squared_error <= allowDistortion(parameters.max_curvedness, share) * pixels.moments.pixels;
 }
 
 // Whether the patches of a cluster lie on another surface than a plane.
@@ -89,16 +90,14 @@ void PatchClusterer::clusterCoarse(const PatchGrid& coarse, const Parameters& pa
                      {1.0 / 64, 1.0 / 16, 1.0 / 8, 1.0 / 4, 1.0 / 2, 1.0, 1.0});
   explained.assign(coarse.patch_at.size(), 0);
   for (int i = 0; i < forest_.size(); ++i) {
-    const bool is_explained = isPlane(forest_.find(i), parameters.clusters);
+    const bool is_explained = isPlaneAt(forest_.find(i), parameters.clusters);
     explained[static_cast<std::size_t>(coarse.cells[static_cast<std::size_t>(i)])] = is_explained ? 1 : 0;
   }
   dismissClutter(coarse, explained);
 }
 
-// Whether the cluster of a root is large and flat enough.
-bool PatchClusterer::isPlane(int root, const ClusterParameters& parameters) const {
-  return forest_.patchesOf(root) >= parameters.min_patches &&
-         isFlat(forest_.fitOf(root), forest_.shareOf(root), parameters);
+bool PatchClusterer::isPlaneAt(int root, const ClusterParameters& parameters) const {
+  return isPlane(forest_.fitOf(root), forest_.patchesOf(root), forest_.shareOf(root), parameters);
 }
 
 // Marks planar patches that no closer look makes a plane of.
@@ -222,7 +221,7 @@ void PatchClusterer::partAtSteps(const PatchLevels& levels, const ClusterParamet
     const double share = steps_[k].patches * levels.coarse.shareOfPicture();
     outliers_[k].share = share;
     if (steps_[k].patches < kMinStepPatches || !steps_[k].isSteady() ||
-        outliers_[k].patches < parameters.min_patches || !isFlat(outliers_[k], share, parameters))
+        !isPlane(outliers_[k], outliers_[k].patches, share, parameters))
       continue;
     new_index_[k] = static_cast<int>(clusters.size());
     clusters.push_back(outliers_[k]);
@@ -269,7 +268,7 @@ void PatchClusterer::cluster(const DepthImage& depth, const ViewRays& rays, cons
   clusters.clear();
   cluster_of.assign(static_cast<std::size_t>(forest_.size()), -1);
   for (int i = 0; i < forest_.size() && clusters.size() < kMaxClusters; ++i) {
-    if (forest_.find(i) != i || !isPlane(i, parameters.clusters)) continue;
+    if (forest_.find(i) != i || !isPlaneAt(i, parameters.clusters)) continue;
     cluster_of[static_cast<std::size_t>(i)] = static_cast<int>(clusters.size());
     clusters.push_back(forest_.cluster(i));
   }

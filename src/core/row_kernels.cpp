@@ -67,7 +67,7 @@ void markChanges(const std::uint16_t* __restrict labels, int count, std::uint8_t
 LPS_MULTIVERSION
 int* appendMarked(const std::uint8_t* marks, int count, int* columns) {
   using Word = std::uint64_t;
-  constexpr int kMarks = sizeof(Word), kMostly = kSpareColumns;
+  constexpr int kMarks = sizeof(Word);
   constexpr Word kLast = Word{1} << (kMarkBlock - 1);
   for (int first = 0; first < count; first += kMarkBlock) {
     Word bits = 0;
@@ -81,8 +81,9 @@ int* appendMarked(const std::uint8_t* marks, int count, int* columns) {
       bits |= word * 0x0102040810204080 >> (kMarkBlock - kMarks) << i;
     }
     int* const end = columns + __builtin_popcountll(bits);
-    for (int k = 0; k < kMostly; ++k, bits &= bits - 1) columns[k] = first + __builtin_ctzll(bits | kLast);
-    for (int* next = columns + kMostly; next < end; ++next, bits &= bits - 1)
+    for (int k = 0; k < kSpareColumns; ++k, bits &= bits - 1)
+      columns[k] = first + __builtin_ctzll(bits | kLast);
+    for (int* next = columns + kSpareColumns; next < end; ++next, bits &= bits - 1)
       *next = first + __builtin_ctzll(bits);
     columns = end;
   }

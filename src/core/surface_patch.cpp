@@ -51,15 +51,15 @@ void PatchGrid::spread(const std::vector<int>& of_patch, int first, std::vector<
 }
 
 // Chooses the crossings of the next rows, grid_columns_ being theirs.
-void PatchDetector::chooseColumns(const PatchGrid& grid, const ViewRays& rays, int half_window) {
+void PatchDetector::chooseColumns(const PatchGrid& grid, int half_window) {
   columns_.clear();
   for (const int column : grid_columns_) columns_.push_back(grid.pixelOf(column));
   const std::size_t lanes = columns_.size();
   x_.resize(lanes);
-  for (std::size_t i = 0; i < lanes; ++i) x_[i] = rays.x[static_cast<std::size_t>(columns_[i])];
-  widen(rays.x.data(), rays.x.size(), half_window, wide_row_);
+  for (std::size_t i = 0; i < lanes; ++i)
+    x_[i] = wide_x_[static_cast<std::size_t>(columns_[i] + half_window)];
   row_t_.resize(lanes * static_cast<std::size_t>(2 * half_window + 1));
-  gatherWindows(wide_row_.data(), half_window, row_t_.data());
+  gatherWindows(wide_x_.data(), half_window, row_t_.data());
   fits_.resize(static_cast<int>(lanes));
   row_sums_.resize(static_cast<int>(lanes));
   column_sums_.resize(static_cast<int>(lanes));
@@ -123,7 +123,8 @@ void PatchDetector::detect(const DepthImage& depth, const ViewRays& rays, const 
   const int half_window = parameters.lines.line_window / 2;
   grid_columns_.resize(static_cast<std::size_t>(grid.columns));
   std::iota(grid_columns_.begin(), grid_columns_.end(), 0);
-  chooseColumns(grid, rays, half_window);
+  widen(rays.x.data(), rays.x.size(), half_window, wide_x_);
+  chooseColumns(grid, half_window);
   for (int r = 0; r < grid.rows; ++r) addRow(depth, rays, r, half_window, parameters, grid);
 }
 
@@ -142,6 +143,7 @@ void PatchDetector::refine(const DepthImage& depth, const ViewRays& rays, const 
     levels.tile_rows.push_back(coarse.indexAt(0, fine.pixelOf(r)) / coarse.columns);
   const int half_window =
       std::max(kMinHalfWindow, parameters.lines.line_window * fine.spacing / coarse.spacing / 2);
+  widen(rays.x.data(), rays.x.size(), half_window, wide_x_);
   for (int r = 0; r < fine.rows; ++r) {
     grid_columns_.clear();
     for (int c = 0; c < fine.columns; ++c) {
@@ -150,7 +152,7 @@ void PatchDetector::refine(const DepthImage& depth, const ViewRays& rays, const 
       if (explained[tile] == 0 && coarse.has_line[tile] != 0) grid_columns_.push_back(c);
     }
     if (grid_columns_.empty()) continue;
-    chooseColumns(fine, rays, half_window);
+    chooseColumns(fine, half_window);
     addRow(depth, rays, r, half_window, parameters, fine);
   }
 }

@@ -15,13 +15,13 @@ sensor_msgs::Image::Ptr labelsImage(const SegmentedFrame& frame) {
   const Segmentation& segmentation = frame.segmentation;
   auto image = makeImage(frame.header, sensor_msgs::image_encodings::TYPE_16UC1, segmentation.width,
                          segmentation.height, sizeof(std::uint16_t));
-  const std::vector<std::uint16_t> published = publishedLabels(frame);
   if (image->data.empty()) return image;
   if (frame.published.planes.size() == segmentation.planes.size()) {
     // Every plane is published, as it is mostly.
     std::memcpy(image->data.data(), segmentation.labels.data(), image->data.size());
     return image;
   }
+  const std::vector<std::uint16_t> published = publishedLabels(frame);
   std::uint8_t* pixel = image->data.data();
   for (const std::uint16_t label : segmentation.labels) {
     std::memcpy(pixel, &published[label], sizeof label);

@@ -8,6 +8,7 @@
 
 #include "core/region_cleanup_reference.h"
 #include "line_plane_segmentation/region_cleanup.h"
+#include "support/clustered_image.h"
 #include "support/random.h"
 #include "support/resolved_parameters.h"
 #include "support/synthetic_depth.h"
@@ -18,13 +19,6 @@ namespace {
 using Labels = std::vector<std::uint16_t>;
 
 constexpr int kPlanes = 3;
-
-PatchCluster clusterOf(const Surface& surface) {
-  PatchCluster cluster;
-  cluster.plane = {-surface.normal.x() / surface.d, -surface.normal.y() / surface.d,
-                   -surface.normal.z() / surface.d};
-  return cluster;
-}
 
 /// Planes that lie near each other or a step apart, in upright bands, with speckles of any label in them.
 /// Depths are those of the planes, bent and moved by about what is tolerated.

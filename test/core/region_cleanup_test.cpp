@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "support/clustered_image.h"
 #include "support/resolved_parameters.h"
 #include "support/synthetic_depth.h"
 
@@ -16,13 +17,6 @@ namespace {
 constexpr int kWidth = 60, kHeight = 40;
 const CameraIntrinsics kCamera = kinectCamera(kWidth, kHeight);
 const ViewRays kRays = raysOf(kCamera, kWidth, kHeight);
-
-PatchCluster clusterOf(const Surface& surface) {
-  PatchCluster cluster;
-  cluster.plane = {-surface.normal.x() / surface.d, -surface.normal.y() / surface.d,
-                   -surface.normal.z() / surface.d};
-  return cluster;
-}
 
 /// Two walls that meet in the middle of the image, and a label image to be cleaned.
 struct TwoWalls {

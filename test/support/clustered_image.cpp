@@ -5,6 +5,13 @@
 
 namespace line_plane_segmentation {
 
+PatchCluster clusterOf(const Surface& surface) {
+  PatchCluster cluster;
+  cluster.plane = {-surface.normal.x() / surface.d, -surface.normal.y() / surface.d,
+                   -surface.normal.z() / surface.d};
+  return cluster;
+}
+
 ClusteredImage::ClusteredImage(const DepthImage& depth, const Parameters& parameters)
     : rays(raysOf(kinectCamera(depth.width, depth.height), depth.width, depth.height)) {
   PatchDetector detector;

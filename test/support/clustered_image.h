@@ -5,8 +5,12 @@
 #include <vector>
 
 #include "line_plane_segmentation/patch_clustering.h"
+#include "support/synthetic_depth.h"
 
 namespace line_plane_segmentation {
+
+/// A cluster of which only its plane is told: a surface's.
+PatchCluster clusterOf(const Surface& surface);
 
 /// What the adaptive method's stages up to the clusters make of an image of the Kinect's camera.
 struct ClusteredImage {
