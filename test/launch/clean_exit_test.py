@@ -36,7 +36,9 @@ class Process:
 
     def __init__(self, command):
         self.output = tempfile.TemporaryFile()
-        self.popen = subprocess.Popen(command, stdout=self.output, stderr=subprocess.STDOUT)
+        # Python's block buffering would withhold roslaunch's messages until it ends.
+        environment = dict(os.environ, PYTHONUNBUFFERED="1")
+        self.popen = subprocess.Popen(command, env=environment, stdout=self.output, stderr=subprocess.STDOUT)
 
     def interrupt(self):
         self.popen.send_signal(signal.SIGINT)
