@@ -1,0 +1,87 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""Checks of the documents that need no build: every command is listed in commands.txt, launch files and scripts have the
+arguments that the commands use, and code examples are those of doc/examples.
+
+    test/docs/document_checks.py
+"""
+import glob
+import os
+import re
+import unittest
+import xml.etree.ElementTree as ElementTree
+
+import documents
+
+ROOT = os.path.abspath(os.path.join(os.path.dirname(__file__), "..", ".."))
+LANGUAGES = ("sh", "python", "cpp", "cmake", "bibtex", "text", "yaml", "xml")
+
+
+def read(*path):
+    with open(os.path.join(ROOT, *path), encoding="utf-8") as stream:
+        return stream.read()
+
+
+def lines(items):
+    return "".join("\n  " + item for item in items)
+
+
+class DocumentChecks(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.listed = documents.read_list(ROOT)
+        cls.commands = documents.commands(ROOT)
+        cls.blocks = documents.all_blocks(ROOT)
+
+    def test_every_block_names_its_language(self):
+        for block in self.blocks:
+            self.assertIn(block.language, LANGUAGES, "%s:%d" % (block.document, block.line))
+
+    def test_every_command_is_listed(self):
+        self.assertGreater(len(self.commands), 30)
+        unlisted = ["%s: %s" % pair for pair in self.commands if pair[1] not in self.listed]
+        self.assertFalse(unlisted, "say in test/docs/commands.txt how these are tested:" + lines(unlisted))
+        used = {command for _, command in self.commands}
+        unused = [command for command in self.listed if command not in used]
+        self.assertFalse(unused, "test/docs/commands.txt: no document has these commands:" + lines(unused))
+
+    def test_the_list_names_tests_that_exist(self):
+        for command, how in self.listed.items():
+            self.assertRegex(how, r"^(run|run \d+|tested by \S+: \S+|not run: .+)$", command)
+            match = re.match(r"tested by (\S+): (\S+)", how)
+            if match:
+                path, word = match.groups()
+                self.assertTrue(os.path.exists(os.path.join(ROOT, path)), "%s: there is no %s" % (command, path))
+                self.assertIn(word, command)
+                self.assertIn(word, read(path), path)
+
+    def test_launch_files_have_the_arguments(self):
+        for document, command in self.commands:
+            match = re.match(r"roslaunch line_plane_segmentation (\S+\.launch)(.*)", command)
+            if match:
+                tree = ElementTree.parse(os.path.join(ROOT, "launch", match[1]))
+                arguments = {arg.get("name") for arg in tree.getroot().findall("arg") if arg.get("value") is None}
+                for name in re.findall(r"(\w+):=", match[2]):
+                    self.assertIn(name, arguments, "%s: %s" % (document, command))
+
+    def test_scripts_have_the_options(self):
+        scripts = "".join(read(path) for path in glob.glob(os.path.join(ROOT, "scripts", "*")) if os.path.isfile(path))
+        for document, command in self.commands:
+            if command.startswith("scripts/"):
+                self.assertTrue(os.path.exists(os.path.join(ROOT, command.split()[0])), "%s: %s" % (document, command))
+                for option in re.findall(r"(?<=\s)--[\w-]+", command):
+                    self.assertRegex(scripts, r"%s\b" % option, "%s: %s" % (document, command))
+
+    def test_examples_are_those_of_the_files(self):
+        sources = [read(path) for path in glob.glob(os.path.join(ROOT, "doc", "examples", "**"), recursive=True)
+                   if os.path.isfile(path)]
+        blocks = [block for block in self.blocks if block.language in ("cpp", "cmake")]
+        self.assertGreaterEqual(len(blocks), 3)
+        for block in blocks:
+            pattern = r".*?".join(re.escape(line) for line in block.lines if line)
+            self.assertTrue(any(re.search(pattern, source, re.DOTALL) for source in sources),
+                            "%s:%d: no file of doc/examples has these lines" % (block.document, block.line))
+
+
+if __name__ == "__main__":
+    unittest.main()
