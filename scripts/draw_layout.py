@@ -1,0 +1,97 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""Draws which folder of src/ uses which other folder and which library, from the #include lines: doc/layout.dot and
+doc/layout.svg. With --check it changes nothing and fails if doc/layout.dot is out of date."""
+import argparse
+import collections
+import pathlib
+import re
+import subprocess
+import sys
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent
+PUBLIC = pathlib.Path("line_plane_segmentation")
+INCLUDE = re.compile(r'^\s*#\s*include\s*[<"]([^>"]+)[>"]', re.MULTILINE)
+
+# First folder or name of an included file -> library. ROS is all that needs a catkin package.
+LIBRARIES = {"Eigen": "Eigen", "opencv2": "OpenCV", "pcl": "PCL", "pcl_conversions": "PCL", "boost": "Boost",
+             "nlohmann": "nlohmann-json", "pybind11": "pybind11", "rosbag": "rosbag", "rviz": "rviz"}
+ROS = {"ros", "nodelet", "pluginlib", "tf2", "tf2_ros", "tf2_eigen", "image_transport", "message_filters",
+       "diagnostic_updater", "dynamic_reconfigure", "sensor_msgs", "geometry_msgs", "shape_msgs", "std_msgs",
+       "visualization_msgs", "diagnostic_msgs", "tf2_msgs", "topic_tools", "sensor_msgs", "roscpp", "image_geometry"}
+
+
+def folder_of_public_header(include):
+    """The folder of src/ that a public header belongs to: that of its subfolder, else the core. None for generated ones."""
+    if not (ROOT / "include" / include).exists():
+        return None
+    subfolder = pathlib.Path(include).relative_to(PUBLIC).parts[0]
+    return subfolder if (ROOT / "src" / subfolder).is_dir() else "core"
+
+
+def used_by(text, folder, headers):
+    """What a source file of `folder` includes: ("folder", name) or ("library", name)."""
+    for include in INCLUDE.findall(text):
+        first = include.split("/")[0]
+        if first == str(PUBLIC):
+            owner = folder_of_public_header(include)
+            yield ("folder", owner) if owner else ("library", "ROS")
+        elif first in LIBRARIES:
+            yield "library", LIBRARIES[first]
+        elif first in ROS:
+            yield "library", "ROS"
+        elif "/" not in include and include.endswith(".h"):
+            owners = headers.get(include, set())
+            if owners and folder not in owners:
+                yield "folder", sorted(owners)[0]
+
+
+def read_layout():
+    """{folder: set of what it uses}, for each folder of src/."""
+    headers = collections.defaultdict(set)
+    for header in (ROOT / "src").rglob("*.h"):
+        headers[header.name].add(header.relative_to(ROOT / "src").parts[0])
+    layout = collections.defaultdict(set)
+    sources = [(path, path.relative_to(ROOT / "src").parts[0]) for path in (ROOT / "src").rglob("*")
+               if path.suffix in (".h", ".cpp")]
+    sources += [(path, folder_of_public_header(path.relative_to(ROOT / "include")))
+                for path in (ROOT / "include").rglob("*.h")]
+    for path, folder in sources:
+        layout[folder].update(use for use in used_by(path.read_text(encoding="utf-8"), folder, headers)
+                              if use != ("folder", folder))
+    return layout
+
+
+def dot_of(layout):
+    lines = ["// SPDX-License-Identifier: BSD-3-Clause", "// Made by scripts/draw_layout.py from the #include lines.",
+             "digraph layout {",
+             '  graph [fontname="Helvetica", fontsize=12, ranksep=0.5, nodesep=0.3, bgcolor=white, pad=0.2]',
+             '  node [fontname="Helvetica", fontsize=12, shape=box, style="rounded,filled", color="#556677"]',
+             '  edge [color="#556677", arrowsize=0.7]']
+    libraries = collections.defaultdict(list)
+    for folder in sorted(layout):
+        names = sorted(name for kind, name in layout[folder] if kind == "library")
+        libraries[folder] = names
+        needs = "\\n" + ", ".join(names) if names else ""
+        lines.append('  %s [label="src/%s%s", fillcolor="%s"]' %
+                     (folder, folder, needs, "#eef7ee" if folder == "core" else "#eef3fa"))
+    for folder in sorted(layout):
+        lines += ["  %s -> %s" % (folder, name) for kind, name in sorted(layout[folder]) if kind == "folder"]
+    return "\n".join(lines + ["}", ""])
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("--check", action="store_true", help="fail if doc/layout.dot is out of date")
+    arguments = parser.parse_args()
+    dot, target = dot_of(read_layout()), ROOT / "doc" / "layout.dot"
+    if arguments.check:
+        if not target.exists() or target.read_text(encoding="utf-8") != dot:
+            sys.exit("doc/layout.dot is out of date: run scripts/draw_layout.py")
+        return
+    target.write_text(dot, encoding="utf-8")
+    subprocess.run(["dot", "-Tsvg", str(target), "-o", str(target.with_suffix(".svg"))], check=True)
+
+
+if __name__ == "__main__":
+    main()
