@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""The paper's tables with its figures beside those that benchmark_segmentation measured; called by
+"""The tables of the paper, with its figures and those measured by benchmark_segmentation; called by
 scripts/reproduce_paper."""
 
 import argparse
@@ -29,7 +29,7 @@ Run = collections.namedtuple("Run", "milliseconds planes")
 
 
 def three_digits(number):
-    """12.3, 0.123, 1234: as many digits as mean something."""
+    """Three significant digits: 12.3, 0.123, 1234."""
     return "%.0f" % number if number >= 100 else "%.3g" % number
 
 
@@ -39,7 +39,7 @@ def rows_of(path):
 
 
 class Measured:
-    """What was measured, by scene, method and size."""
+    """Measurements by scene, method and size."""
 
     def __init__(self, folder):
         times, stages = rows_of(folder / "times.csv"), rows_of(folder / "stages.csv")
@@ -51,7 +51,7 @@ class Measured:
                        for row in stages}
 
     def scenes(self):
-        """The paper's scenes first, then frames that are none of them."""
+        """The scenes of the paper first, then all other frames."""
         return [s for s in SCENES if s in self.frames] + [f for f in self.frames if f not in SCENES]
 
     def run(self, frame, method, half=False):
@@ -62,14 +62,14 @@ class Measured:
 
 
 def beside(paper_row, scene, milliseconds):
-    """'paper / here', '-' for what is not known."""
+    """'paper / here', '-' for unknown values."""
     paper = PAPER.get(paper_row)
     said = three_digits(paper[SCENES.index(scene)]) if paper and scene in SCENES else "-"
     return "%s / %s" % (said, "-" if milliseconds is None else three_digits(milliseconds))
 
 
 def table(title, scenes, rows):
-    """A table in Markdown. rows: name of the row, and a function from scene to cell."""
+    """A Markdown table. rows: pairs of row name and function from scene to cell."""
     lines = ["### " + title, "", "| | " + " | ".join(scenes) + " |", "|---|" + "--:|" * len(scenes)]
     for name, cell in rows:
         lines.append("| %s | %s |" % (name, " | ".join(cell(scene) for scene in scenes)))

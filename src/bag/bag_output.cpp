@@ -12,8 +12,8 @@ BagOutput::BagOutput(const std::filesystem::path& file, rosbag::CompressionType 
 }
 
 BagOutput::~BagOutput() {
-  // ~Bag() closes, which writes, which throws where there is no more room, and that ends the program: such a
-  // bag is left as it is.
+  // ~Bag() closes the bag, which writes. On a full disk that throws out of the destructor and terminates
+  // the program, so the object is not destroyed then.
   if (bag_ != nullptr && bag_->isOpen()) static_cast<void>(bag_.release());
 }
 

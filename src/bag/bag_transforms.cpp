@@ -10,7 +10,7 @@ namespace {
 
 constexpr char kStatic[] = "/tf_static";
 
-// Bags of before tf2 have the same message under its old name, which instantiate() would refuse.
+// Bags recorded before tf2 have the same message under its old type name, which instantiate() would reject.
 tf2_msgs::TFMessage messageOf(const topic_tools::ShapeShifter& content) {
   std::vector<std::uint8_t> bytes(content.size());
   ros::serialization::OStream out(bytes.data(), content.size());

@@ -18,7 +18,7 @@ float floatAt(const std::uint8_t* bytes, bool swap) {
   return number;
 }
 
-// Least squares of slope = (pixel - c) / f.
+// Least-squares fit of slope = (pixel - c) / f.
 class AxisFit {
  public:
   void add(double pixel, double slope) {
@@ -30,7 +30,7 @@ class AxisFit {
     ss_ += slope * slope;
   }
 
-  // Fails if all pixels are the same, or the slope does not grow with them.
+  // Returns false if all pixels are equal, or the slope does not increase with them.
   bool solve(double& f, double& c, double& squared_error) const {
     const double spread = n_ * pp_ - p_ * p_;
     const double common = n_ * ps_ - p_ * s_;
@@ -84,7 +84,7 @@ CloudCamera cameraOf(const CloudView& cloud) {
     found.camera = {f, f, (cloud.width - 1) / 2.0, (cloud.height - 1) / 2.0};
     return found;
   }
-  constexpr double kMostDeviation = 0.01;  // of the width: lenses with distortion are well below
+  constexpr double kMostDeviation = 0.01;  // fraction of the width; lens distortion is well below
   double column_error = 0.0;
   double row_error = 0.0;
   CameraIntrinsics& camera = found.camera;

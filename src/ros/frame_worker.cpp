@@ -21,7 +21,7 @@ void FrameWorker::run() {
   CameraFrame frame;
   while (queue_.pop(frame)) {
     work(frame);
-    // Gone before the next one comes: whoever made it may wait for it.
+    // Releases the messages before waiting for the next frame: their publisher may wait for that.
     frame = CameraFrame{};
   }
 }
@@ -40,7 +40,7 @@ void FrameWorker::tell(const char* problem) noexcept {
   try {
     failed_(problem);
   } catch (...) {
-    // Without memory even the telling can fail; the next frame may find some again.
+    // Out of memory, even reporting can fail. The next frame may find memory again.
     return;
   }
 }

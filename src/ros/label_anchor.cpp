@@ -13,7 +13,7 @@ namespace {
 
 constexpr int kCellsAcross = 80;
 
-// A coarse label image, with a border of cells without a plane.
+// Label image of low resolution, with a margin of cells of label 0, and a distance transform of it.
 class CellGrid {
  public:
   explicit CellGrid(const Segmentation& segmentation)
@@ -28,7 +28,8 @@ class CellGrid {
     for (int r = 1; r <= rows_ - 2; ++r) {
       for (int c = 1; c <= columns_ - 2; ++c) distances_[indexOf(c, r)] = rows_ + columns_;
     }
-    // Two sweeps give every cell its distance to the next one of another label, over cells that touch.
+    // Two-pass distance transform (8-neighbourhood): steps from each cell to the nearest cell of another
+    // label.
     for (int r = 1; r <= rows_ - 2; ++r) {
       for (int c = 1; c <= columns_ - 2; ++c) relax(c, r, {{-1, 0}, {-1, -1}, {0, -1}, {1, -1}});
     }
@@ -52,7 +53,7 @@ class CellGrid {
     return static_cast<std::size_t>(r) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(c);
   }
 
-  // The label that most of the cell's samples have, if any has most.
+  // Label of more than half of the cell's samples by Boyer-Moore majority vote, else 0.
   std::uint16_t labelOfCell(const Segmentation& segmentation, int c, int r) const {
     const std::array<int, 3> places = {side_ / 4, side_ / 2, side_ * 3 / 4};
     std::uint16_t majority = 0;
@@ -81,10 +82,10 @@ class CellGrid {
   int columns_;
   int rows_;
   std::vector<std::uint16_t> labels_;
-  std::vector<int> distances_;  // 1: beside another label
+  std::vector<int> distances_;  // [cells] to the nearest cell of another label, at least 1
 };
 
-// What a first pass over the cells tells of each plane.
+// Cells of one plane: count, sums of coordinates, and largest distance to the border.
 struct PlaneCells {
   int count = 0;
   long sum_c = 0;
@@ -109,7 +110,7 @@ std::vector<PlaneCells> cellsOfPlanes(const CellGrid& grid, std::size_t plane_co
 }  // namespace
 
 std::vector<LabelAnchor> labelAnchors(const Segmentation& segmentation) {
-  constexpr double kEnough = 0.8;  // of the most room that there is
+  constexpr double kEnough = 0.8;  // fraction of the largest distance to the border
   const CellGrid grid(segmentation);
   const std::vector<PlaneCells> cells = cellsOfPlanes(grid, segmentation.planes.size());
 

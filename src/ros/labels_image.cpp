@@ -17,7 +17,7 @@ sensor_msgs::Image::Ptr labelsImage(const SegmentedFrame& frame) {
                          segmentation.height, sizeof(std::uint16_t));
   if (image->data.empty()) return image;
   if (frame.published.planes.size() == segmentation.planes.size()) {
-    // Every plane is published, as it is mostly.
+    // Common case: all planes are published, and labels are copied unchanged.
     std::memcpy(image->data.data(), segmentation.labels.data(), image->data.size());
     return image;
   }

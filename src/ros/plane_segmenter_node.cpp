@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The nodelet as a plain node, linked in and not loaded as a plugin: debuggers and sanitizers see it whole.
+// The nodelet as a node. It is linked, not loaded as a plugin, so that debuggers and sanitizers work.
 #include <nodelet/loader.h>
 #include <ros/ros.h>
 

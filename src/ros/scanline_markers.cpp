@@ -32,7 +32,7 @@ class LineDrawer {
  public:
   explicit LineDrawer(const SegmentedFrame& frame) : frame_(frame) {}
 
-  // Draws nothing that lies out of range: a line may run off far where its scan has a gap.
+  // Skips segments out of range: a line can run far off where its scan has a gap.
   void draw(const LineSegment& segment, Marker& marker) const {
     const Eigen::Vector3d first = rayTo(segment, segment.first);
     const Eigen::Vector3d last = rayTo(segment, segment.last);
@@ -43,7 +43,7 @@ class LineDrawer {
   }
 
   void draw(const PlaneCandidate& candidate, Marker& marker) const {
-    constexpr double kLength = 0.04;  // of the depth: all are about as long in the image
+    constexpr double kLength = 0.04;  // fraction of the depth, for a constant length in the image
     const Eigen::Vector3d ray = rayOf(frame_.camera, candidate.u, candidate.v);
     const double z = -candidate.d / candidate.normal.dot(ray);
     if (!isInRange(z, frame_.range)) return;
@@ -56,7 +56,8 @@ class LineDrawer {
                                                     : rayOf(frame_.camera, segment.scanline, pixel);
   }
 
-  // Where the ray meets the line Sx cos(alpha) + Sy sin(alpha) = r, by Eq. 1-3 Sx = k z and Sy = along z.
+  // Depth at which the ray intersects the line Sx cos(alpha) + Sy sin(alpha) = r, with Sx = k z and Sy =
+  // along z (Eq. 1-3).
   static double depthOn(const LineSegment& segment, const Eigen::Vector3d& ray) {
     const bool row = segment.direction == ScanDirection::kRow;
     const double along = row ? ray.x() : ray.y();

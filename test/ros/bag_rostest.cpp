@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A recorded Kinect bag is played into the segmenter: no frame is lost, and the desk is found where it
-// stands.
+// A recorded Kinect bag is played into the segmenter: no frame is lost, and the desk is found at its true
+// pose.
 #include <geometry_msgs/TransformStamped.h>
 #include <gtest/gtest.h>
 #include <line_plane_segmentation/PlaneArray.h>
@@ -28,10 +28,10 @@ namespace {
 
 constexpr char kImageTopic[] = "/camera/depth/image_raw";
 
-// A Kinect's image is stamped when it arrives, this long after it was taken, while motion capture knows no
-// such delay. Where the camera turns fast that counts: a plane fitted to nothing but the desk's points is
-// over 5 degrees off the vertical in 20 of the 90 frames with transforms of the images' stamps (13 to 34, up
-// to 7.0 degrees), and in none with transforms so much older (up to 4.9 degrees).
+// A Kinect's image is timestamped on arrival, this long after its exposure; motion capture has no such
+// delay. This matters when the camera turns fast: a plane fitted to the desk's points only is more than 5
+// degrees off the horizontal in 20 of the 90 frames (13 to 34, up to 7.0 degrees) with transforms at the
+// images' timestamps, and in none with transforms older by this delay (up to 4.9 degrees).
 const ros::Duration kLatency(0.05);
 
 std::string dataFolder() {
@@ -44,7 +44,7 @@ bool mustHaveData() {
   return ci != nullptr && std::string(ci) == "true";
 }
 
-// A plane brought to the world, whose z axis is up.
+// A plane transformed into the world frame, whose z axis points up.
 bool isWithin(double degrees, const Plane& plane, const Eigen::Isometry3d& camera_in_world) {
   const auto& coef = plane.coefficients.coef;
   const Eigen::Vector3d normal = camera_in_world.linear() * Eigen::Vector3d(coef[0], coef[1], coef[2]);
@@ -93,7 +93,7 @@ class BagTest : public testing::Test {
     }
   }
 
-  // The bag runs once at its own speed, 30 Hz.
+  // Plays the bag once at its recorded rate, 30 Hz.
   void play() {
     ros::NodeHandle nh;
     const ros::Subscriber planes =
@@ -111,8 +111,8 @@ class BagTest : public testing::Test {
     return toEigen(transforms_.lookupTransform("world", header.frame_id, header.stamp - latency).transform);
   }
 
-  // The largest piece of the desk in each frame that shows any; things that lie about cut it apart. Where the
-  // camera turns fast a small piece is off the vertical by more than isDesk() allows.
+  // The largest part of the desk in each frame that shows it; objects divide it into several parts. While
+  // the camera turns fast, small parts are tilted by more than isDesk() allows.
   std::vector<Plane> desks() const {
     std::vector<Plane> found;
     for (const PlaneArray::ConstPtr& answer : answers_) {
@@ -125,7 +125,7 @@ class BagTest : public testing::Test {
     return found;
   }
 
-  // The frames with a plane that is wanted.
+  // Frames with at least one plane that fulfils the condition.
   int count(bool (*isWanted)(const Plane&, const Eigen::Isometry3d&), const ros::Duration& latency) const {
     return static_cast<int>(
         std::count_if(answers_.begin(), answers_.end(), [&](const PlaneArray::ConstPtr& answer) {
@@ -135,7 +135,7 @@ class BagTest : public testing::Test {
         }));
   }
 
-  // All the while it has one id, and the segmenter itself says that it is level.
+  // It keeps one id, and the segmenter reports it as horizontal.
   void expectOneDesk() const {
     const std::vector<Plane> found = desks();
     std::map<std::uint32_t, int> frames_of_id;
@@ -179,7 +179,7 @@ TEST_F(BagTest, everyFrameIsAnsweredAndTheDeskFound) {
   expectOneDesk();
 }
 
-// With target_frame the planes themselves are the world's, by the transforms of the images' stamps.
+// With target_frame the published planes are in the world frame, transformed at the images' timestamps.
 TEST_F(BagTest, theDeskStandsInTheWorld) {
   const auto frames = [](const std::string& target) {
     return [target](PlaneSegmenterConfig& config) {

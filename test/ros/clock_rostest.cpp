@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Simulated time that is absent, stands still, goes back as a bag begins again, or jumps an hour ahead:
-// faults rows 21 and 22.
+// Simulated time is absent, stands still, jumps back as when a bag loops, or jumps an hour ahead: faults
+// rows 21 and 22.
 #include <gtest/gtest.h>
 #include <line_plane_segmentation/PlaneArray.h>
 #include <rosgraph_msgs/Clock.h>
@@ -25,7 +25,7 @@ class Clock : public testing::Test {
     ASSERT_TRUE(waitUntil([this] { return transforms_.getNumSubscribers() == 1; }));
   }
 
-  // The wall's image, its transform and, if somebody sets it, the clock, all at this time.
+  // Publishes the wall's image, its transform and, if simulated time is used, the clock, all at this time.
   void publish(double seconds, bool with_clock) {
     rosgraph_msgs::Clock clock;
     clock.clock = ros::Time(seconds);
@@ -41,8 +41,8 @@ class Clock : public testing::Test {
     camera_.publish(image_, info_, ros::Time(seconds));
   }
 
-  // Ten images a second from this time on.
-  // @return how many were answered, in the world's frame
+  // Publishes ten images per second from this time on.
+  // @return number of images that were answered, in the world frame
   int play(double first, int images, bool with_clock) {
     int answered = 0;
     for (int i = 0; i < images; ++i) {

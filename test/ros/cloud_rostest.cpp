@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Point clouds in the place of depth images.
+// Point clouds instead of depth images.
 #include <gtest/gtest.h>
 #include <line_plane_segmentation/PlaneArray.h>
 #include <sensor_msgs/PointCloud2.h>
@@ -32,7 +32,7 @@ class Cloud : public testing::Test {
     publisher_.publish(cloud);
   }
 
-  // The newest report's message begins so.
+  // True if the message of the newest report begins with this text.
   bool diagnosticsSay(const std::string& text) const {
     return waitUntil([&] { return diagnostics_.newest().message.find(text) == 0; });
   }

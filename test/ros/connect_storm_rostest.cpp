@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Row 32: subscribers come and go a hundred times a second while images come, on each output in turn and on
-// all at once. Whenever that ends, the segmenter is in the state that those who are left want.
+// Row 32: subscribers connect and disconnect a hundred times per second while images arrive, on each output
+// in turn and on all at once. Afterwards the state of the segmenter matches the remaining subscribers.
 #include <gtest/gtest.h>
 #include <line_plane_segmentation/PlaneArray.h>
 
@@ -22,8 +22,9 @@ class ConnectStorm : public testing::Test {
 
   void publishNext() { camera_.publish(image_, info_, ros::Time(seconds_ += 0.1)); }
 
-  // Ten subscribers of each of these outputs come and go within 100 ms, most of them before their connection
-  // stands. One stays about as long as that takes with all that follows from it, which is some 0.4 s here.
+  // Ten subscribers of each of these outputs connect and disconnect within 100 ms, most of them before
+  // their connection is established. One stays for about 0.4 s, the time that establishing a connection
+  // takes.
   void storm(const std::vector<std::string>& outputs, double stay) {
     std::deque<Anything> subscribers;
     for (int i = 0; i < 10; ++i) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What /diagnostics says to a user who wonders why nothing comes, and when all is well.
+// The status in /diagnostics, when input is missing and in normal operation.
 #include <gtest/gtest.h>
 #include <line_plane_segmentation/PlaneArray.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What is wrong with a frame is said, counted and over with it: each test ends with a good frame that is
-// answered with its plane. The rows are those of doc/reliability.md.
+// A fault of a frame is reported, counted, and does not affect later frames: each test ends with a valid
+// frame whose plane is published. Row numbers are those of doc/reliability.md.
 #include <gtest/gtest.h>
 #include <line_plane_segmentation/PlaneArray.h>
 
@@ -33,13 +33,13 @@ class Faults : public testing::Test {
  protected:
   Faults() { EXPECT_TRUE(camera_.waitForSubscriber()); }
 
-  // Every frame of the tests has its own stamp.
+  // Returns a new timestamp for each frame.
   static ros::Time nextStamp() {
     static double seconds = 1000.0;
     return ros::Time(seconds += 0.1);
   }
 
-  // The newest answer is that to this stamp, and tells of the plane.
+  // The newest message has this timestamp and contains the plane.
   void expectThePlane(const ros::Time& stamp) const {
     ASSERT_TRUE(planes_.waitFor(stamp)) << "no planes at " << stamp;
     ASSERT_EQ(1U, planes_.newest()->planes.size());

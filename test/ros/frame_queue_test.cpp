@@ -36,7 +36,8 @@ TEST(FrameQueue, newestFirstOnceItOverflows) {
   EXPECT_EQ(4U, popNumber(queue));
 }
 
-// Two frames come while one is processed: the wait must not build up again to the queue's length.
+// Two frames arrive while one is processed: the number of waiting frames must not grow to the queue's
+// capacity again.
 TEST(FrameQueue, newestFirstAsLongAsProcessingIsBehind) {
   FrameQueue queue(3);
   for (std::uint32_t number : {1U, 2U, 3U, 4U}) queue.push(frameWithNumber(number));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Row 28: an exception ends with its frame.
+// Row 28: an exception affects its frame only.
 #include "frame_worker.h"
 
 #include <gtest/gtest.h>
@@ -24,7 +24,7 @@ CameraFrame frameWithNumber(std::uint32_t number) {
   return {image, boost::make_shared<sensor_msgs::CameraInfo>()};
 }
 
-// What is thrown at each of the frames 1, 2, 3 ...
+// Throws another exception for each of the frames 1, 2, 3 ...
 void throwAt(std::uint32_t number) {
   switch (number) {
     case 1:
@@ -59,7 +59,7 @@ TEST(FrameWorker, goesOnAfterWhateverIsThrown) {
             problems);
 }
 
-// No memory for the frame, and none to tell of it.
+// No memory for the frame, and none to report it.
 TEST(FrameWorker, goesOnWhenTellingFails) {
   std::promise<void> processed;
   FrameWorker worker(

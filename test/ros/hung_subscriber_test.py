@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Row 34: subscribers that connect and never read a byte slow nobody down and use up no memory."""
+"""Row 34: subscribers that connect and never read neither delay others nor use up memory."""
 import io
 import socket
 import time
@@ -20,7 +20,7 @@ SECONDS = 5
 
 
 def connect(topic):
-    """A subscriber as far as its publisher can tell: connected by TCPROS, and then silent."""
+    """A subscriber that connects by TCPROS and then never reads."""
     _, _, (_, host, port) = publisher_of(topic).requestTopic(rospy.get_name(), topic, [["TCPROS"]])
     type_name = dict(rospy.get_published_topics())[topic]
     connection = socket.create_connection((host, port))
@@ -54,7 +54,7 @@ class HungSubscriberTest(unittest.TestCase):
 
         self.assertGreater(len(came), 5 * SECONDS)
         self.assertGreater(len(answered & came), 0.9 * len(came) - 2, "%d of %d" % (len(answered), len(came)))
-        # The clouds of these seconds would take over 100 MB.
+        # The clouds published in this time need more than 100 MB.
         self.assertLess(kilobytes(process, "VmRSS"), before + 30e3)
 
 

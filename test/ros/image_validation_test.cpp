@@ -59,7 +59,7 @@ TEST(Validation, tellsHowPixelsAreStored) {
   EXPECT_FLOAT_EQ(1.0F, metres.metres_per_unit);
 }
 
-// Row 8: the same depths, whichever way round the bytes are.
+// Row 8: the same depths for both byte orders.
 TEST(Validation, readsBothByteOrders) {
   for (const char* encoding : {"16UC1", "32FC1"}) {
     Image native = imageOfPlane(32, 24, encoding, Eigen::Vector3d(0.0, 0.6, -0.8), 1.5);
@@ -97,7 +97,7 @@ TEST(Validation, takesIntrinsicsFromPAndElseFromK) {
   EXPECT_EQ(info.K[5], from_k.camera.cy);
 }
 
-// The full sensor is 640x480; the image shows 320x240 of it from (100, 60) on, two pixels in one.
+// The sensor is 640x480; the image is its region of 320x240 from (100, 60), binned by 2.
 TEST(Validation, movesAndScalesIntrinsicsWithTheImage) {
   CameraInfo info = testInfo(640, 480);
   info.P = {500.0, 0.0, 320.0, 0.0, 0.0, 510.0, 240.0, 0.0, 0.0, 0.0, 1.0, 0.0};

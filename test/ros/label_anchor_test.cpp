@@ -34,7 +34,7 @@ void fill(Segmentation& segmentation, int first_u, int last_u, int first_v, int 
   }
 }
 
-// The least distance of the anchor to a pixel of another label, along rows and columns.
+// Smallest distance from the anchor to a pixel of another label, along rows and columns.
 int roomAround(Segmentation& segmentation, const LabelAnchor& anchor) {
   const std::uint16_t label = labelAt(segmentation, anchor.u, anchor.v);
   int room = kWidth;
@@ -56,7 +56,7 @@ TEST(LabelAnchor, IsTheMiddleOfARectangle) {
   EXPECT_NEAR(250, anchor.v, 10);
 }
 
-// A wall behind a door's frame, a floor around a table: the middle of each belongs to the other one.
+// A wall behind a door frame, a floor around a table: the centroid of each lies on the other one.
 TEST(LabelAnchor, LiesOnItsPlaneWhereTheMiddleDoesNot) {
   Segmentation segmentation = segmentationOf(2);
   fill(segmentation, 0, 640, 0, 480, 1);

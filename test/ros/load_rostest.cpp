@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// More and more VGA cameras in one manager, each with its own segmenter, at 30 Hz: every frame is answered,
-// and none after a newer one. scripts/load measures with queues that are no longer than in use, where frames
-// may be dropped. The numbers of cameras are ~cameras, each for ~seconds. Of times it only tells.
+// An increasing number of VGA cameras in one manager, each with its own segmenter, at 30 Hz: every frame is
+// answered, in order. scripts/load uses the default queue sizes, with which frames may be dropped. ~cameras
+// lists the numbers of cameras, each of which runs for ~seconds. Times are printed, not tested.
 #include <gtest/gtest.h>
 #include <line_plane_segmentation/PlaneArray.h>
 #include <ros/callback_queue.h>
@@ -24,7 +24,7 @@ namespace {
 constexpr double kRate = 30.0;  // [Hz]
 constexpr int kLongQueue = 100;
 
-/// A camera in a room of its own, its segmenter, and who wants its planes.
+/// A camera in its own room, its segmenter, and a subscriber of its planes.
 class Side {
  public:
   explicit Side(int number)
@@ -45,14 +45,14 @@ class Side {
     return loadSegmenter(name_ + "/plane_segmenter") && camera_.waitForSubscriber();
   }
 
-  // The stamp tells when it was sent.
+  // The timestamp is the time of sending.
   void publish() {
     const TestFrame& frame = frames_[static_cast<std::size_t>(sent_) % frames_.size()];
     camera_.publish(frame.image, frame.info, ros::Time(now()));
     ++sent_;
   }
 
-  /// Waits until the frames on their way have been answered or dropped, and the diagnostics tell of it.
+  /// Waits until all sent frames are answered or dropped, and the diagnostics report it.
   void settle() {
     waitUntil([&] { return sent_ == static_cast<int>(delays_.size()); }, 0.5);
     EXPECT_TRUE(diagnostics_.waitForReport());
@@ -102,7 +102,7 @@ class Load : public testing::Test {
     }
   }
 
-  // The cameras take turns, as such that do not know of each other do on average.
+  // The cameras send in turn, which unsynchronised cameras do on average.
   void publishFor(double seconds) {
     const double start = now();
     const double pause = 1.0 / kRate / static_cast<double>(sides_.size());

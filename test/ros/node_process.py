@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The process behind a topic, and what it uses."""
+"""The process that publishes a topic, and its resources."""
 import re
 import xmlrpc.client
 
@@ -7,7 +7,7 @@ import rosgraph
 
 
 def publisher_of(topic):
-    """The server by which ROS speaks to its node."""
+    """The XML-RPC server of its node."""
     master = rosgraph.Master("/test")
     nodes = dict(master.getSystemState()[0])[topic]
     return xmlrpc.client.ServerProxy(master.lookupNode(nodes[0]))
@@ -19,6 +19,6 @@ def process_that_publishes(topic):
 
 
 def kilobytes(process, name):
-    """A figure of /proc/PID/status: VmRSS is the memory in use, VmData what was ever asked for and not given back."""
+    """A value of /proc/PID/status: VmRSS is the resident memory, VmData the allocated memory."""
     with open("/proc/%d/status" % process) as status:
         return int(re.search(name + r":\s*(\d+) kB", status.read()).group(1))

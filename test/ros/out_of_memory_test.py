@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Row 28: no memory for a frame is the end of that frame alone."""
+"""Row 28: running out of memory affects only the frame in process."""
 import array
 import resource
 import threading
@@ -14,8 +14,8 @@ from sensor_msgs.msg import CameraInfo, Image
 from line_plane_segmentation.msg import PlaneArray
 from node_process import kilobytes, process_that_publishes
 
-# An image of 4096x4096 is received twice over, from the socket and as a message: 67 MB. To segment it takes more than
-# three times as much again.
+# An image of 4096x4096 exists twice on reception, as bytes and as a message: 67 MB. Segmenting it needs more than
+# three times as much.
 LARGE = 4096
 ENOUGH_TO_RECEIVE = 110 << 20
 SMALL = 320

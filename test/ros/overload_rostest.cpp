@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Row 33: images come three times as fast as they can be processed, which a dense grid of scanlines makes
-// slow. The newest are, the others are dropped and counted, each of them; no answer gets old, no memory is
-// used up, and afterwards all is as before.
+// Row 33: images arrive three times as fast as they are processed, which a dense grid of scanlines slows
+// down. The newest are processed; every other one is dropped and counted. Latency and memory stay bounded,
+// and normal operation resumes afterwards.
 #include <gtest/gtest.h>
 #include <line_plane_segmentation/PlaneArray.h>
 
@@ -25,7 +25,7 @@ class Overload : public testing::Test {
  protected:
   void SetUp() override { ASSERT_TRUE(camera_.waitForSubscriber()); }
 
-  // An image's stamp tells when it was sent.
+  // The timestamp of an image is the time of sending.
   ros::Time publishNow() {
     const ros::Time stamp(now());
     camera_.publish(image_, info_, stamp);
@@ -54,7 +54,7 @@ class Overload : public testing::Test {
     }
   }
 
-  // At rest: all that came so far has been answered or dropped.
+  // Idle: all images sent so far have been answered or dropped.
   int dropped() const {
     EXPECT_TRUE(diagnostics_.waitForReport());
     return static_cast<int>(diagnostics_.number("frames dropped"));
@@ -107,7 +107,7 @@ TEST_F(Overload, newestFirstAndTheRestCounted) {
   const double interval = kSeconds / static_cast<double>(stamps_.size());
   RecordProperty("interval_ms", static_cast<int>(1e3 * interval));
   RecordProperty("age_ms", static_cast<int>(1e3 * median(ages_)));
-  // Some wait in sockets, by far not as many as the segmenter's queue would hold.
+  // Some wait in sockets, far fewer than the segmenter's queue could hold.
   EXPECT_LT(median(ages_), 0.5 * kQueueSize * interval);
   EXPECT_GT(memory, 10.0);
   EXPECT_LT(residentMegabytes(process), memory + 20.0);

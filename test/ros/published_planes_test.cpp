@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What is published of a segmentation, and that all messages go by it: frame and wanted orientations.
+// Target frame and selection by orientation, and that all messages follow them.
 #include "line_plane_segmentation/ros/published_planes.h"
 
 #include <gtest/gtest.h>
@@ -15,8 +15,8 @@
 namespace line_plane_segmentation {
 namespace {
 
-// Four pixels at 2 m, one for each of four planes with a triangle each: a floor, a ceiling, a wall and a
-// ramp. The camera looks along the world's x axis, 1 m above its origin.
+// Four planes of one pixel at 2 m and one triangle each: a floor, a ceiling, a wall and a ramp. The camera
+// looks along the world's x axis from 1 m above its origin.
 class Published : public testing::Test {
  protected:
   Published() {

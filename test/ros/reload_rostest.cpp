@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Row 27: the nodelet is loaded and unloaded again and again while images come at 30 Hz: no crash, no
-// deadlock, and nothing is left behind in the manager.
+// Row 27: the nodelet is loaded and unloaded repeatedly while images arrive at 30 Hz: no crash, no
+// deadlock, no leak in the manager.
 #include <gtest/gtest.h>
 #include <line_plane_segmentation/PlaneArray.h>
 #include <nodelet/NodeletList.h>
@@ -18,7 +18,7 @@ class Reload : public testing::Test {
 
   void publishNext() { camera_.publish(image_, info_, ros::Time(seconds_ += 1.0 / 30.0)); }
 
-  // Images come at 30 Hz until one is answered.
+  // Publishes images at 30 Hz until one is answered.
   bool publishUntilAnswered() {
     const int answers = planes_.count();
     for (int frame = 0; frame < 300; ++frame) {
@@ -49,14 +49,14 @@ TEST_F(Reload, worksEachTimeAndLeavesNothingBehind) {
     }
     ASSERT_TRUE(loadSegmenter("/plane_segmenter")) << round;
     ASSERT_TRUE(publishUntilAnswered()) << round;
-    // Into the midst of a frame, at another point each time.
+    // Unloads during a frame, at a different time in each round.
     for (int burst = 0; burst < 5; ++burst) publishNext();
     ros::WallDuration(0.001 * (round % 10)).sleep();
     ASSERT_TRUE(unloadSegmenter("/plane_segmenter")) << round;
   }
   EXPECT_TRUE(waitUntil([this] { return camera_.imageSubscribers() == 0; }));
   EXPECT_GT(threads, 1);
-  // One more or less may just be coming or going.
+  // One may just be starting or ending.
   EXPECT_LE(entriesOf(manager, "task"), threads + 2);
   EXPECT_LE(entriesOf(manager, "fd"), files + 2);
 #ifndef __SANITIZE_ADDRESS__  // which holds back what is freed

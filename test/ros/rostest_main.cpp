@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The main function of every rostest. The node has the name of its program.
+// Main function of all rostests. The node is named after its program.
 #include <gtest/gtest.h>
 #include <ros/init.h>
 #include <ros/node_handle.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Row 20: images come, but no camera_info, or none with their stamp. After ten seconds the diagnostics warn
-// and name the topic; as soon as there is a camera_info, all is well.
+// Row 20: images arrive without camera_info, or without one of the same timestamp. After ten seconds the
+// diagnostics warn and name the topic; with a camera_info, normal operation starts.
 #include <gtest/gtest.h>
 #include <line_plane_segmentation/PlaneArray.h>
 
@@ -38,7 +38,7 @@ class Silence : public testing::Test {
     other_stamps_.camera.publishInfo(info_, ros::Time(seconds_ + 0.01));
   }
 
-  // Publishes for so long, or until both warn.
+  // Publishes for this time, or until both warn.
   bool warnWithin(double seconds) {
     const auto warns = [](const Side& side) {
       return side.diagnostics.newest().level == DiagnosticStatus::WARN;

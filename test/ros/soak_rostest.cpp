@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Row 36: as many frames as ~frames says, one after another as fast as they are answered, of different rooms,
-// sizes and encodings, some of them bad. The segmenter's process needs no more memory, threads and files at
-// the end than when it was warm, every good frame is answered, and the log is not flooded.
+// Row 36: ~frames frames of different rooms, sizes and encodings, some of them invalid, sent as fast as
+// they are answered. Memory, threads and open files of the segmenter's process do not grow after warm-up,
+// every valid frame is answered, and the log is throttled.
 #include <gtest/gtest.h>
 #include <line_plane_segmentation/PlaneArray.h>
 #include <ros/callback_queue.h>
@@ -20,7 +20,7 @@
 namespace line_plane_segmentation {
 namespace {
 
-/// What the segmenter's process has in use, at rest.
+/// Resources in use by the segmenter's process while idle.
 struct Usage {
   int frames = 0;
   double megabytes = 0.0;
@@ -62,7 +62,7 @@ class Soak : public testing::Test {
  protected:
   void SetUp() override { ASSERT_TRUE(camera_.waitForSubscriber()); }
 
-  // Two frames are always under way, so that the segmenter never waits for one.
+  // Two frames are always pending, so that the segmenter never waits.
   bool waitUntilUnderWay(int most) {
     const ros::WallTime end = ros::WallTime::now() + ros::WallDuration(15.0);
     while (ros::ok() && sent_ - planes_.count() > most && ros::WallTime::now() < end) {
@@ -86,7 +86,7 @@ class Soak : public testing::Test {
     for (int i = 0; i < frames && !HasFatalFailure(); ++i) sendNext();
   }
 
-  // For some frames all outputs are wanted.
+  // For some frames all outputs have a subscriber.
   void sendWithAllOutputs(int frames) {
     const Inbox<sensor_msgs::Image> labels("plane_segmenter/labels"), overlay("plane_segmenter/overlay");
     const Inbox<sensor_msgs::PointCloud2> cloud("plane_segmenter/cloud");
@@ -148,7 +148,7 @@ TEST_F(Soak, nothingGrows) {
   EXPECT_TRUE(diagnostics_.waitForReport());
   EXPECT_EQ("0", diagnostics_.value("frames dropped"));
   EXPECT_EQ("0", diagnostics_.value("frames failed"));
-  // Each reason to refuse a frame once in 5 s at most, and what is said only once.
+  // Each refusal reason at most once in 5 s, plus the one-time warnings.
   const double seconds = (ros::WallTime::now() - start).toSec();
   EXPECT_LE(log_.warnings("refused a frame"), static_cast<double>(bad_.size()) * (seconds / 5.0 + 1.0));
   EXPECT_GE(log_.warnings("refused a frame"), static_cast<int>(bad_.size()));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Rows 27 and 35: two segmenters in one manager know nothing of each other, and one goes on when the other
-// leaves.
+// Rows 27 and 35: two segmenters in one manager are independent, and one continues when the other is
+// unloaded.
 #include <gtest/gtest.h>
 #include <line_plane_segmentation/PlaneArray.h>
 
@@ -17,7 +17,7 @@ namespace {
 constexpr std::uint32_t kWidth = 320;
 constexpr std::uint32_t kHeight = 240;
 
-// A segmenter, its camera, which sees a wall, and who wants its planes.
+// A segmenter, its camera in front of a wall, and a subscriber of its planes.
 struct Side {
   Side(const std::string& side_name, double wall_distance)
       : name("/" + side_name + "/plane_segmenter"),
@@ -48,7 +48,7 @@ class TwoCameras : public testing::Test {
   void TearDown() override {
     for (const Side* side : {&left_, &right_}) {
       unloadSegmenter(side->name);
-      // Reconfiguring leaves it to the next segmenter of that name.
+      // Reconfiguring leaves the parameter on the server for the next segmenter of that name.
       ros::param::del(side->name);
     }
   }
@@ -62,7 +62,7 @@ class TwoCameras : public testing::Test {
     EXPECT_NEAR(side.distance, side.planes.newest()->planes[0].coefficients.coef[3], 0.005);
   }
 
-  // Images of one stamp come to both; this many planes are seen.
+  // Both receive images with one timestamp and publish this number of planes.
   void publishAndExpect(std::size_t left, std::size_t right) {
     seconds_ += 0.1;
     publish(left_);

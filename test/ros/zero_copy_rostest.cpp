@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Between nodelets of one manager neither the image nor the results are copied. This program is the manager,
-// the camera and the subscriber.
+// Between nodelets of one manager neither images nor results are copied. This program acts as manager,
+// camera and subscriber.
 #include <gtest/gtest.h>
 #include <line_plane_segmentation/PlaneArray.h>
 #include <nodelet/loader.h>
@@ -14,13 +14,12 @@
 
 namespace {
 
-// Arrays of markers that came as bytes.
+// Number of marker arrays that were deserialised.
 int deserialized_markers = 0;
 
 }  // namespace
 
-// roscpp calls this before it makes a message of bytes; a message that is passed on as it is has no need of
-// it.
+// roscpp calls this before it deserialises a message; for a message passed as a pointer it is not called.
 namespace ros {
 namespace serialization {
 template <>
@@ -57,7 +56,7 @@ class ZeroCopy : public testing::Test {
 };
 
 TEST_F(ZeroCopy, readsTheVeryImageAndPassesOnTheVeryResults) {
-  // Whatever is serialised on its way gets the publisher's own count in the place of this.
+  // If the message were serialised, roscpp would replace this by the publisher's own sequence number.
   constexpr std::uint32_t kNeverCounted = 123456;
   const ros::Time stamp(17.0);
   const auto image = boost::make_shared<sensor_msgs::Image>(testImage(kWidth, kHeight, "16UC1"));
@@ -65,12 +64,12 @@ TEST_F(ZeroCopy, readsTheVeryImageAndPassesOnTheVeryResults) {
   image->header.seq = kNeverCounted;
   images_.publish(sensor_msgs::ImageConstPtr(image));
 
-  // The image waits for its camera_info: this one, since somebody else holds it, and goes on holding it.
+  // The segmenter holds the image until its camera_info arrives.
   ASSERT_TRUE(waitUntil([&] { return image.use_count() == 2; }, 5.0));
   spinFor(0.5);
   ASSERT_EQ(2, image.use_count());
 
-  // No publisher should do this; here it shows whose bytes are read.
+  // A publisher must not modify a published message; here it shows which bytes are read.
   image->data = imageOfPlane(kWidth, kHeight, "16UC1", Eigen::Vector3d(0.0, 0.0, -1.0), 1.5).data;
   const auto info = boost::make_shared<sensor_msgs::CameraInfo>(testInfo(kWidth, kHeight));
   info->header.stamp = stamp;
@@ -85,7 +84,7 @@ TEST_F(ZeroCopy, readsTheVeryImageAndPassesOnTheVeryResults) {
   EXPECT_EQ(kNeverCounted, labels_.newest()->header.seq);
   EXPECT_EQ(kNeverCounted, overlay_.newest()->header.seq);
   EXPECT_EQ(kNeverCounted, cloud_.newest()->header.seq);
-  // Arrays of markers have no count.
+  // Marker arrays have no sequence number.
   ASSERT_TRUE(waitUntil([&] { return markers_.count() == 1 && scanlines_.count() == 1; }));
   EXPECT_FALSE(markers_.newest()->markers.empty());
   EXPECT_FALSE(scanlines_.newest()->markers.empty());
@@ -107,7 +106,7 @@ TEST_F(ZeroCopy, theImageIsAtOneAddressForAll) {
   EXPECT_EQ(image.get(), others.newest().get());
 }
 
-// A subscriber may keep what it got for as long as it likes.
+// A subscriber may keep a message for any time.
 TEST_F(ZeroCopy, whatHasBeenPublishedStaysAsItIs) {
   const auto publish = [this](double stamp, double distance) {
     sensor_msgs::Image image =
@@ -136,7 +135,7 @@ TEST_F(ZeroCopy, whatHasBeenPublishedStaysAsItIs) {
   EXPECT_NE(before[0], bytesOf(*planes_.newest())) << "the images are too much alike to show anything";
   EXPECT_EQ(before, contents());
 
-  // Nor does anything wait for those who come later, which would hold memory for good.
+  // No message is kept for later subscribers, which would hold memory permanently.
   const Inbox<PlaneArray> late_planes("plane_segmenter/planes");
   const Inbox<sensor_msgs::Image> late_labels("plane_segmenter/labels"),
       late_overlay("plane_segmenter/overlay");
