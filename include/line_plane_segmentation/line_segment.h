@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <Eigen/Core>
+#include "line_plane_segmentation/eigen_types.h"
 
 namespace line_plane_segmentation {
 
@@ -16,9 +16,9 @@ struct LineSegment {
   int points = 0;    ///< valid pixels between the ends, both included
 
   /// Polar form in the 2-D scan (Eq. 1-3): Sx cos(alpha) + Sy sin(alpha) = r.
-  double alpha = 0.0;                                    ///< [rad]
-  double r = 0.0;                                        ///< [m], not negative
-  Eigen::Matrix2d covariance = Eigen::Matrix2d::Zero();  ///< of (alpha, r), from the noise model (5)
+  double alpha = 0.0;                              ///< [rad]
+  double r = 0.0;                                  ///< [m], not negative
+  Covariance2d covariance = Covariance2d::Zero();  ///< of (alpha, r), from the noise model (5)
 };
 
 }  // namespace line_plane_segmentation

@@ -4,15 +4,16 @@
 #include <Eigen/Core>
 
 #include "line_plane_segmentation/cluster_forest.h"
+#include "line_plane_segmentation/eigen_types.h"
 #include "line_plane_segmentation/plane_fit.h"
 
 namespace line_plane_segmentation {
 
 /// The coefficients of a plane and how sure they are.
 struct PlaneEstimate {
-  Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();     ///< unit, toward the camera
-  double d = 0.0;                                        ///< [m] normal . p + d = 0, positive
-  Eigen::Matrix4d covariance = Eigen::Matrix4d::Zero();  ///< of (normal, d)
+  Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();  ///< unit, toward the camera
+  double d = 0.0;                                     ///< [m] normal . p + d = 0, positive
+  Covariance4d covariance = Covariance4d::Zero();     ///< of (normal, d)
 };
 
 /// The plane of a cluster of patches. Its regression weighs every pixel by the sensor's noise there, and

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <Eigen/Geometry>
 #include <cstdint>
 #include <memory>
 #include <vector>
 
 #include "line_plane_segmentation/camera_intrinsics.h"
+#include "line_plane_segmentation/eigen_types.h"
 #include "line_plane_segmentation/segmentation.h"
 
 namespace line_plane_segmentation {
@@ -59,7 +59,17 @@ class PlaneTracker {
   /// @param motion   takes points of the last image's optical frame to this one's; null: it is not known
   /// @return the id of each plane, in the order of segmentation.planes; valid until the next call
   const std::vector<std::uint32_t>& track(const Segmentation& segmentation, const CameraIntrinsics& camera,
-                                          double seconds, const Eigen::Isometry3d* motion = nullptr);
+                                          double seconds, const RigidTransform* motion = nullptr);
+
+  /// The same for an Eigen::Isometry3d, whose layout depends on the flags of the caller.
+  template <int Options>
+  const std::vector<std::uint32_t>& track(
+      const Segmentation& segmentation, const CameraIntrinsics& camera, double seconds,
+      const Eigen::Transform<double, 3, Eigen::Isometry, Options>* motion) {
+    if (motion == nullptr) return track(segmentation, camera, seconds);
+    const RigidTransform unaligned(*motion);
+    return track(segmentation, camera, seconds, &unaligned);
+  }
 
   /// Forgets all planes, and begins again with id 1.
   void reset();

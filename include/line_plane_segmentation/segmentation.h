@@ -5,6 +5,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "line_plane_segmentation/eigen_types.h"
+
 namespace line_plane_segmentation {
 
 /// One closed ring of a plane's outline, a range of Segmentation::vertices.
@@ -22,7 +24,7 @@ struct SegmentedPlane {
   Eigen::Vector3d centroid = Eigen::Vector3d::Zero();  ///< [m] mean of its points
   /// Covariance of (nx, ny, nz, d) as the noise of the points makes it; singular along the normal,
   /// whose length is fixed.
-  Eigen::Matrix4d covariance = Eigen::Matrix4d::Zero();
+  Covariance4d covariance = Covariance4d::Zero();
   std::uint32_t inliers = 0;  ///< pixels that carry the label
   double rms = 0.0;           ///< [m] root mean square distance of its points to the plane
   double area = 0.0;          ///< [m²] of the visible surface, holes left out

@@ -32,7 +32,7 @@ po::options_description options() {
       "compression", po::value<std::string>()->value_name("NAME")->default_value("lz4"),
       "of OUT.bag: lz4, bz2 or none");
   addParameterOptions(shown);
-  shown.add_options()("help", "this text");
+  shown.add_options()("help", "this text")("version", "the version");
   return shown;
 }
 
@@ -121,5 +121,5 @@ void segmentBagTool(int argc, char** argv) {
 
 int main(int argc, char** argv) {
   using namespace line_plane_segmentation;
-  return runTool("segment_bag", [=] { segmentBagTool(argc, argv); });
+  return runTool("segment_bag", argc, argv, segmentBagTool);
 }

@@ -35,7 +35,8 @@ po::options_description options() {
                       "benchmark_segmentation; without it, simulated rooms")(
       "rooms", po::value<int>()->value_name("N")->default_value(4), "how many simulated rooms")(
       "repetitions", po::value<int>()->value_name("N")->default_value(50), "times that each frame is sent")(
-      "out", po::value<std::string>()->value_name("DIR"), "folder for messages.md")("help", "this text");
+      "out", po::value<std::string>()->value_name("DIR"), "folder for messages.md")("help", "this text")(
+      "version", "the version");
   return shown;
 }
 
@@ -100,6 +101,11 @@ std::string markdown(const std::vector<BenchmarkFrame>& frames, const std::vecto
 }
 
 void benchmarkMessages(int argc, char** argv) {
+  ros::init(argc, argv, "benchmark_messages", ros::init_options::AnonymousName | ros::init_options::NoRosout);
+  // What ROS logs goes to the report's stream.
+  if (ros::console::set_logger_level(ROSCONSOLE_DEFAULT_NAME, ros::console::levels::Warn)) {
+    ros::console::notifyLoggerLevelsChanged();
+  }
   const po::variables_map given = parseOptions(argc, argv, options(), {});
   if (given.count("help") != 0) {
     std::cout
@@ -132,13 +138,5 @@ void benchmarkMessages(int argc, char** argv) {
 
 int main(int argc, char** argv) {
   using namespace line_plane_segmentation;
-  return runTool("benchmark_messages", [&] {
-    ros::init(argc, argv, "benchmark_messages",
-              ros::init_options::AnonymousName | ros::init_options::NoRosout);
-    // What ROS logs goes to the report's stream.
-    if (ros::console::set_logger_level(ROSCONSOLE_DEFAULT_NAME, ros::console::levels::Warn)) {
-      ros::console::notifyLoggerLevelsChanged();
-    }
-    benchmarkMessages(argc, argv);
-  });
+  return runTool("benchmark_messages", argc, argv, benchmarkMessages);
 }

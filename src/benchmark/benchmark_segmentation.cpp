@@ -40,7 +40,8 @@ po::options_description options() {
       "pictures",
       "also writes what each method finds in each frame to DIR: FRAME.METHOD.png, and all of them "
       "beside each other, segmentations.png")(
-      "no-scaling", "leaves out sizes, numbers of planes and cameras")("help", "this text");
+      "no-scaling", "leaves out sizes, numbers of planes and cameras")("help", "this text")("version",
+                                                                                            "the version");
   return shown;
 }
 
@@ -154,5 +155,5 @@ void benchmarkSegmentation(int argc, char** argv) {
 
 int main(int argc, char** argv) {
   using namespace line_plane_segmentation;
-  return runTool("benchmark_segmentation", [=] { benchmarkSegmentation(argc, argv); });
+  return runTool("benchmark_segmentation", argc, argv, benchmarkSegmentation);
 }

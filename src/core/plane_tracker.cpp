@@ -70,7 +70,7 @@ struct PlaneTracker::Memory {
   std::vector<PlaneSample> next_samples;
   std::vector<int> next_index;
 
-  void move(const Eigen::Isometry3d* motion);
+  void move(const RigidTransform* motion);
   void matchByOverlap(const std::vector<SegmentedPlane>& planes);
   void matchByCoefficients(const std::vector<SegmentedPlane>& planes);
   void takeBestPairs();
@@ -78,7 +78,7 @@ struct PlaneTracker::Memory {
   void addSeenTracks(const std::vector<SegmentedPlane>& planes, double seconds);
 };
 
-void PlaneTracker::Memory::move(const Eigen::Isometry3d* motion) {
+void PlaneTracker::Memory::move(const RigidTransform* motion) {
   for (PlaneTrack& track : tracks) {
     track.plane = -1;
     if (motion == nullptr) continue;
@@ -202,7 +202,7 @@ void PlaneTracker::setParameters(const TrackingParameters& parameters) {
 
 const std::vector<std::uint32_t>& PlaneTracker::track(const Segmentation& segmentation,
                                                       const CameraIntrinsics& camera, double seconds,
-                                                      const Eigen::Isometry3d* motion) {
+                                                      const RigidTransform* motion) {
   Memory& m = *memory_;
   if (!m.tracking) {
     reset();

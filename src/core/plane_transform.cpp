@@ -3,7 +3,7 @@
 
 namespace line_plane_segmentation {
 
-SegmentedPlane transformed(const SegmentedPlane& plane, const Eigen::Isometry3d& placement) {
+SegmentedPlane transformed(const SegmentedPlane& plane, const RigidTransform& placement) {
   SegmentedPlane result = plane;
   result.normal = placement.linear() * plane.normal;
   // n . p + d is the same for the same point, and q = R p + t: d' = d - R n . t.

@@ -15,11 +15,24 @@ bool isNativeOrder(const py::dtype& type) { return type.attr("isnative").cast<bo
 DepthType typeOf(const py::dtype& type) {
   if (type.kind() == 'u' && type.itemsize() == 2) return DepthType::kUint16;
   if (type.kind() == 'f' && type.itemsize() == 4) return DepthType::kFloat32;
+  const std::string remedy =
+      type.kind() == 'f' ? "depth.astype(numpy.float32)" : "depth.astype(numpy.uint16)";
   throw py::type_error("depth must be an array of uint16 or float32, not of " +
-                       type.attr("name").cast<std::string>());
+                       type.attr("name").cast<std::string>() + "; " + remedy +
+                       " converts it, if its values fit");
 }
 
 }  // namespace
+
+py::array depthArrayOf(const py::object& depth) {
+  if (!py::isinstance<py::array>(depth)) {
+    throw py::type_error("depth must be a numpy array, not " +
+                         py::str(py::type::of(depth).attr("__name__")).cast<std::string>());
+  }
+  // Only masked arrays have both; numpy.ma need not be imported to find out.
+  if (py::hasattr(depth, "mask") && py::hasattr(depth, "filled")) return depth.attr("filled")(0);
+  return py::reinterpret_borrow<py::array>(depth);
+}
 
 DepthView viewOf(const py::array& depth, const std::optional<double>& metres_per_unit) {
   const py::dtype dtype = depth.dtype();

@@ -9,6 +9,10 @@
 
 namespace line_plane_segmentation {
 
+/// The depth image of an argument: the array itself or, of a masked array, a copy with 0 where it is masked.
+/// @throws pybind11::type_error if it is not an array
+pybind11::array depthArrayOf(const pybind11::object& depth);
+
 /// A view of the pixels of a numpy array, which is not copied and must live as long.
 /// @param depth            uint16 or float32 in either byte order, height x width; rows may be apart, pixels
 /// not

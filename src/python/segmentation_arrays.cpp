@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "line_plane_segmentation/plane_transform.h"
+
 namespace line_plane_segmentation {
 namespace {
 
@@ -19,14 +21,36 @@ py::array_t<float> arrayOfRing(const Segmentation& segmentation, int index) {
   return array;
 }
 
+std::vector<py::array_t<float>> transformedRings(const std::vector<py::array_t<float>>& rings,
+                                                 const RigidTransform& transform) {
+  std::vector<py::array_t<float>> result;
+  for (const py::array_t<float>& ring : rings) {
+    py::array_t<float> moved({ring.shape(0), py::ssize_t{3}});
+    for (py::ssize_t i = 0; i < ring.shape(0); ++i) {
+      const Eigen::Vector3d point(ring.at(i, 0), ring.at(i, 1), ring.at(i, 2));
+      const Eigen::Vector3f there = (transform * point).cast<float>();
+      std::copy_n(there.data(), 3, moved.mutable_data(i, 0));
+    }
+    result.push_back(std::move(moved));
+  }
+  return result;
+}
+
+/// A row of the structured array.
+struct LineRow {
+  std::uint8_t direction;
+  std::int32_t scanline, first, last, points;
+  double alpha, r;
+  double covariance[2][2];
+};
+
 }  // namespace
 
-PythonSegmentation toPython(const Segmentation& segmentation) {
+PythonSegmentation toPython(const Segmentation& segmentation, py::ssize_t height, py::ssize_t width) {
   PythonSegmentation result;
   result.valid_pixels = segmentation.valid_pixels;
   result.assigned_pixels = segmentation.assigned_pixels;
-  result.labels = py::array_t<std::uint16_t>(
-      {static_cast<py::ssize_t>(segmentation.height), static_cast<py::ssize_t>(segmentation.width)});
+  result.labels = py::array_t<std::uint16_t>({height, width});
   std::copy(segmentation.labels.begin(), segmentation.labels.end(), result.labels.mutable_data());
   for (const SegmentedPlane& plane : segmentation.planes) {
     PythonPlane copy{plane, {}, {}};
@@ -37,6 +61,43 @@ PythonSegmentation toPython(const Segmentation& segmentation) {
     result.planes.push_back(std::move(copy));
   }
   return result;
+}
+
+Segmentation fromPython(const PythonSegmentation& segmentation) {
+  Segmentation result;
+  result.height = static_cast<int>(segmentation.labels.shape(0));
+  result.width = static_cast<int>(segmentation.labels.shape(1));
+  result.labels.assign(segmentation.labels.data(), segmentation.labels.data() + segmentation.labels.size());
+  for (const PythonPlane& plane : segmentation.planes) result.planes.push_back(plane.plane);
+  result.valid_pixels = segmentation.valid_pixels;
+  result.assigned_pixels = segmentation.assigned_pixels;
+  return result;
+}
+
+PythonPlane transformed(const PythonPlane& plane, const RigidTransform& transform) {
+  return {transformed(plane.plane, transform), transformedRings(plane.outer_rings, transform),
+          transformedRings(plane.holes, transform)};
+}
+
+py::array lineSegmentArray(const std::vector<LineSegment>& segments) {
+  // numpy may be told of it once only.
+  [[maybe_unused]] static const bool registered = [] {
+    PYBIND11_NUMPY_DTYPE(LineRow, direction, scanline, first, last, points, alpha, r, covariance);
+    return true;
+  }();
+  py::array_t<LineRow> rows(static_cast<py::ssize_t>(segments.size()));
+  LineRow* row = rows.mutable_data();
+  for (const LineSegment& s : segments) {
+    *row++ = {static_cast<std::uint8_t>(s.direction == ScanDirection::kRow ? 0 : 1),
+              s.scanline,
+              s.first,
+              s.last,
+              s.points,
+              s.alpha,
+              s.r,
+              {{s.covariance(0, 0), s.covariance(0, 1)}, {s.covariance(1, 0), s.covariance(1, 1)}}};
+  }
+  return std::move(rows);
 }
 
 }  // namespace line_plane_segmentation

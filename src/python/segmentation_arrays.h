@@ -5,6 +5,7 @@
 
 #include <vector>
 
+#include "line_plane_segmentation/line_segment.h"
 #include "line_plane_segmentation/segmentation.h"
 
 namespace line_plane_segmentation {
@@ -25,7 +26,20 @@ struct PythonSegmentation {
 };
 
 /// Copies all of a segmentation.
-PythonSegmentation toPython(const Segmentation& segmentation);
+/// @param height, width  [px] of the depth image, which a segmentation of an empty one does not have
+PythonSegmentation toPython(const Segmentation& segmentation, pybind11::ssize_t height,
+                            pybind11::ssize_t width);
+
+/// Copies the parts of a segmentation that the tracker needs: labels and planes, without outlines.
+Segmentation fromPython(const PythonSegmentation& segmentation);
+
+/// The plane, its covariance, centroid and rings in another frame.
+/// @param transform  maps points of the optical frame to the other one
+PythonPlane transformed(const PythonPlane& plane, const RigidTransform& transform);
+
+/// A structured array with a row for each line segment: direction (0: along a row, 1: a column), scanline,
+/// first, last, points, alpha, r, covariance.
+pybind11::array lineSegmentArray(const std::vector<LineSegment>& segments);
 
 /// An array of one or two dimensions with the numbers of an Eigen vector or matrix.
 template <typename Matrix>

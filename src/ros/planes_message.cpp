@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "line_plane_segmentation/hole_parts.h"
 #include "line_plane_segmentation/ros/conversions.h"
 
 namespace line_plane_segmentation {
@@ -41,6 +42,9 @@ void addPolygons(const SegmentedFrame& frame, const SegmentedPlane& plane, Plane
     } else {
       message.holes.push_back(polygonOf(vertices, ring));
     }
+  }
+  for (const int part : partsOfHoles(frame.segmentation, plane)) {
+    message.hole_parts.push_back(static_cast<std::uint32_t>(part));
   }
 }
 
@@ -81,6 +85,7 @@ PlaneArray::Ptr planesMessage(const SegmentedFrame& frame) {
   message->image_height = static_cast<std::uint32_t>(segmentation.height);
   message->valid_pixels = segmentation.valid_pixels;
   message->processing_time = static_cast<float>(frame.processing_time);
+  message->processing_seconds = 1e-3 * frame.processing_time;
   return message;
 }
 

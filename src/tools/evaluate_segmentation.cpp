@@ -30,6 +30,7 @@ po::options_description options() {
   add("json", po::value<std::string>()->value_name("FILE"), "write all figures, and the curve, to this file");
   add("curve", po::value<std::string>()->value_name("FILE.png"), "draw the classification over tolerances");
   add("help", "this text");
+  add("version", "the version");
   return shown;
 }
 
@@ -89,5 +90,5 @@ void evaluateSegmentation(int argc, char** argv) {
 
 int main(int argc, char** argv) {
   using namespace line_plane_segmentation;
-  return runTool("evaluate_segmentation", [=] { evaluateSegmentation(argc, argv); });
+  return runTool("evaluate_segmentation", argc, argv, evaluateSegmentation);
 }

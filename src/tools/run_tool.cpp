@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <cstring>
 #include <exception>
 #include <iostream>
 
@@ -19,6 +20,17 @@ int runTool(const std::string& name, const std::function<void()>& tool) {
     std::cerr << name << ": " << message << '\n';
     return EXIT_FAILURE;
   }
+}
+
+int runTool(const std::string& name, int argc, char** argv, const std::function<void(int, char**)>& tool) {
+  return runTool(name, [&] {
+    const auto is_version = [](const char* argument) { return std::strcmp(argument, "--version") == 0; };
+    if (std::any_of(argv + 1, argv + argc, is_version)) {
+      std::cout << name << " " << LPS_VERSION << '\n';
+      return;
+    }
+    tool(argc, argv);
+  });
 }
 
 }  // namespace line_plane_segmentation

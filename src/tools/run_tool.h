@@ -18,4 +18,8 @@ class BadInput : public std::runtime_error {
 /// @return 0 if `tool` returned; 1, and one line on stderr that begins with `name`, if it threw
 int runTool(const std::string& name, const std::function<void()>& tool);
 
+/// The same for a tool that reads its command line. Prints the package's version, and does nothing else, if
+/// `--version` is among the arguments.
+int runTool(const std::string& name, int argc, char** argv, const std::function<void(int, char**)>& tool);
+
 }  // namespace line_plane_segmentation

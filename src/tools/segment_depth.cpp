@@ -44,7 +44,7 @@ po::options_description options() {
       "work on N images at a time, by default one for each core; with 1 the times that are measured "
       "are not disturbed");
   addParameterOptions(shown);
-  shown.add_options()("help", "this text");
+  shown.add_options()("help", "this text")("version", "the version");
   return shown;
 }
 
@@ -122,5 +122,5 @@ void segmentDepth(int argc, char** argv) {
 
 int main(int argc, char** argv) {
   using namespace line_plane_segmentation;
-  return runTool("segment_depth", [=] { segmentDepth(argc, argv); });
+  return runTool("segment_depth", argc, argv, segmentDepth);
 }

@@ -97,6 +97,20 @@ class Conversions : public testing::Test {
   PublishedPlanes published_;
 };
 
+TEST_F(Conversions, holesNameTheirParts) {
+  addPlanes();
+  EXPECT_EQ(std::vector<std::uint32_t>{0}, planesMessage(frame())->planes[0].hole_parts);
+  // The hole shrunk and moved into the second part.
+  const Eigen::Vector3f middle =
+      (segmentation_.vertices[3] + segmentation_.vertices[4] + segmentation_.vertices[5]) / 3.0F;
+  for (std::size_t i = 0; i < 3; ++i) {
+    segmentation_.vertices[6 + i] = middle + 0.5F * (segmentation_.vertices[3 + i] - middle);
+  }
+  const PlaneArray::ConstPtr message = planesMessage(frame());
+  EXPECT_EQ(std::vector<std::uint32_t>{1}, message->planes[0].hole_parts);
+  EXPECT_TRUE(message->planes[1].hole_parts.empty());
+}
+
 TEST_F(Conversions, planesTellAll) {
   addPlanes();
   const PlaneArray::ConstPtr message = planesMessage(frame());
@@ -106,6 +120,7 @@ TEST_F(Conversions, planesTellAll) {
   EXPECT_EQ(30U, message->valid_pixels);
   EXPECT_EQ(23U, message->assigned_pixels);
   EXPECT_FLOAT_EQ(7.5F, message->processing_time);
+  EXPECT_DOUBLE_EQ(0.0075, message->processing_seconds);
   ASSERT_EQ(2U, message->planes.size());
 
   const Plane& plane = message->planes[0];

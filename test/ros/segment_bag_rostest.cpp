@@ -27,6 +27,7 @@ constexpr int kHeight = 240;
 void forgetTheWay(PlaneArray& message) {
   message.header.seq = 0;
   message.processing_time = 0.0F;
+  message.processing_seconds = 0.0;
 }
 void forgetTheWay(visualization_msgs::MarkerArray& message) {
   for (auto& marker : message.markers) marker.header.seq = 0;

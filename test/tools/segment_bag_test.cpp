@@ -43,6 +43,7 @@ class SegmentBag : public testing::Test {
     const auto messages = readAll<PlaneArray>(out());
     for (const auto& message : messages.at(kPlanes)) {
       message->processing_time = 0.0F;
+      message->processing_seconds = 0.0;
       all.push_back(bytesOf(*message));
     }
     return all;

@@ -1,14 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-# The core and its headers for projects that know nothing of ROS:
-#   find_package(line_plane_segmentation REQUIRED)
-#   target_link_libraries(... line_plane_segmentation::core)
+# Installs the library with what find_package(line_plane_segmentation) needs, where catkin does not.
 include(CMakePackageConfigHelpers)
-include(GNUInstallDirs)
-
-include(cmake/warnings.cmake)
-add_subdirectory(src/core)
-set_target_properties(line_plane_segmentation_core PROPERTIES EXPORT_NAME core)
-target_compile_features(line_plane_segmentation_core PUBLIC cxx_std_17)
 
 set(config_folder ${CMAKE_INSTALL_LIBDIR}/cmake/line_plane_segmentation)
 install(TARGETS line_plane_segmentation_core EXPORT line_plane_segmentation
@@ -17,7 +9,7 @@ install(TARGETS line_plane_segmentation_core EXPORT line_plane_segmentation
   RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 install(EXPORT line_plane_segmentation DESTINATION ${config_folder}
   NAMESPACE line_plane_segmentation:: FILE line_plane_segmentationTargets.cmake)
-# What has to do with messages, and the simulated camera, are libraries of their own, which are not built here.
+# Messages and the simulated camera are libraries of their own, which are not built here.
 install(DIRECTORY include/line_plane_segmentation/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/line_plane_segmentation
   PATTERN ros EXCLUDE PATTERN simulation EXCLUDE)
 

@@ -1,0 +1,3 @@
+# SPDX-License-Identifier: BSD-3-Clause
+add_message_files(FILES Plane.msg PlaneArray.msg)
+generate_messages(DEPENDENCIES geometry_msgs shape_msgs std_msgs)
