@@ -12,9 +12,9 @@ INLINE_COMMAND = re.compile(r"`((?:rosrun|roslaunch|rostopic|rosmsg|rosbag|rossr
 
 
 def documents(root):
-    """README.md, CONTRIBUTING.md and doc/*.md, relative to `root`."""
+    """README.md, CONTRIBUTING.md and all Markdown files below doc/, relative to `root`."""
     paths = [os.path.join(root, name) for name in ("README.md", "CONTRIBUTING.md")]
-    paths += sorted(glob.glob(os.path.join(root, "doc", "*.md")))
+    paths += sorted(glob.glob(os.path.join(root, "doc", "**", "*.md"), recursive=True))
     return [os.path.relpath(path, root) for path in paths]
 
 
@@ -24,9 +24,9 @@ def read_blocks(root, document):
     with open(os.path.join(root, document), encoding="utf-8") as stream:
         for number, line in enumerate(stream, 1):
             line = line.rstrip("\n")
-            if line.startswith("```"):
+            if line.lstrip().startswith("```"):
                 if language is None:
-                    language, lines, first = line[3:].strip(), [], number
+                    language, lines, first = line.lstrip()[3:].strip(), [], number
                 else:
                     blocks.append(Block(document, first, language, lines))
                     language = None
@@ -50,7 +50,7 @@ def commands_of_block(block):
 def inline_commands(root, document):
     """The commands in the text between the fenced blocks."""
     with open(os.path.join(root, document), encoding="utf-8") as stream:
-        text = re.sub(r"^```.*?^```", "", stream.read(), flags=re.DOTALL | re.MULTILINE)
+        text = re.sub(r"^\s*```.*?^\s*```", "", stream.read(), flags=re.DOTALL | re.MULTILINE)
     return [normalized(match) for match in INLINE_COMMAND.findall(" ".join(text.split("\n")))]
 
 

@@ -65,15 +65,16 @@ class DocumentsTest(unittest.TestCase):
         self.assertGreaterEqual(len(blocks), 2)
         for block in blocks:
             text = "\n".join(block.lines)
-            if "rospy" in text:
-                script = os.path.join(self.folder, "block.py")
-                with open(script, "w", encoding="utf-8") as stream:
+            program = compile(text, "%s:%d" % (block.document, block.line), "exec")
+            if "print_floors" in text:
+                with open(os.path.join(self.folder, "block.py"), "w", encoding="utf-8") as stream:
                     stream.write(text)
                 self.expect_floors("/usr/bin/python3 block.py")
-            else:
+            elif "rospy" not in text:
                 names = {"depth": np.full((480, 640), 2000, np.uint16)}
-                exec(compile(text, "%s:%d" % (block.document, block.line), "exec"), names)
-                self.assertEqual(1, len(names["result"].planes))
+                exec(program, names)
+                if "result" in names:
+                    self.assertEqual(1, len(names["result"].planes))
 
     def test_2_commands_run(self):
         # A wall 2 m away, in 5000 units per metre.
