@@ -61,7 +61,7 @@ class IndexedBag : public BagInput {
   std::string damage_;
 };
 
-// The first line of every bag tells its version.
+// The first line of a bag states its version.
 std::string firstLine(const std::filesystem::path& file) {
   constexpr std::size_t kLongest = 32;
   std::ifstream stream(file, std::ios::binary);

@@ -13,43 +13,44 @@
 
 namespace line_plane_segmentation {
 
-/// A message of a bag, still serialised.
+/// A serialised message of a bag.
 struct BagMessage {
   std::string topic;
-  ros::Time time;  ///< when it was recorded
+  ros::Time time;  ///< time of recording
   topic_tools::ShapeShifter::ConstPtr content;
-  boost::shared_ptr<ros::M_string> connection;  ///< header of the connection that it came over
+  boost::shared_ptr<ros::M_string> connection;  ///< header of its connection
 };
 
-/// Says from topic and data type whether messages are wanted.
+/// Decides by topic and data type whether messages are read.
 using MessageFilter = std::function<bool(const std::string& topic, const std::string& datatype)>;
 
-/// The messages of a bag, one after the other. What cannot be read is passed over and remembered.
+/// Iterates over the messages of a bag. Unreadable parts are skipped and recorded as damage.
 class BagInput {
  public:
   virtual ~BagInput() = default;
 
-  /// @return false when there are no more
+  /// @return false at the end of the bag
   virtual bool next(BagMessage& message) = 0;
 
-  /// How much of the bag was read, 0 to 1.
+  /// Fraction of the bag that was read, 0 to 1.
   virtual double share() const = 0;
 
-  /// The data types of all topics as far as they are known before reading: empty if the bag has no index.
+  /// Data type per topic, as far as known before reading. Empty if the bag has no index.
   virtual const std::map<std::string, std::string>& topics() const = 0;
 
-  /// What is wrong with the bag, as far as it was read; empty: nothing.
+  /// Description of the damage found so far, empty if none.
   virtual const std::string& damage() const = 0;
 };
 
-/// Opens a bag: in the order of recording times where it has an index, else in that of the file, as far as it
-/// is whole.
-/// @throws BadInput if there is no such file or it is no bag
+/// Opens a bag. With an index, messages are read in the order of recording; otherwise in the order of the
+/// file, up to the first damage.
+/// @throws BadInput if the file does not exist or is not a bag
 std::unique_ptr<BagInput> openBag(const std::filesystem::path& file, const MessageFilter& wanted);
 
-/// A bag whose index is missing or wrong: the recording was not finished, or the file was cut off. rosbag's
-/// C++ library reads no such bag, so this goes through its records itself (wiki.ros.org/Bags/Format/2.0).
-/// @param damage  what is known about it
+/// Opens a bag whose index is missing or wrong, because the recording was not finished or the file is
+/// truncated. rosbag's C++ library cannot read such a bag, so its records are parsed here
+/// (wiki.ros.org/Bags/Format/2.0).
+/// @param damage  description of the damage known so far
 std::unique_ptr<BagInput> openDamagedBag(const std::filesystem::path& file, const MessageFilter& wanted,
                                          const std::string& damage);
 

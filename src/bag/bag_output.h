@@ -14,24 +14,24 @@
 
 namespace line_plane_segmentation {
 
-/// A bag that is being written.
+/// Writer of a bag.
 class BagOutput {
  public:
   /// @throws BadInput if the file cannot be written
   BagOutput(const std::filesystem::path& file, rosbag::CompressionType compression);
 
-  /// Unless it was closed, what is in the file is no bag.
+  /// If close() was not called, the file is not a valid bag.
   ~BagOutput();
   BagOutput(const BagOutput&) = delete;
   BagOutput& operator=(const BagOutput&) = delete;
 
-  /// @throws BadInput if there is no more room
+  /// @throws BadInput if the disk is full
   template <typename Message>
   void write(const std::string& topic, const ros::Time& time, const Message& message) {
     guarded([&] { bag_->write(topic, std::max(time, ros::TIME_MIN), message); });
   }
 
-  /// Writes a message as it came.
+  /// Copies a serialised message.
   /// @throws BadInput if there is no more room
   void copy(const BagMessage& message) {
     guarded([&] {

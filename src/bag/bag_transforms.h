@@ -9,13 +9,13 @@
 
 namespace line_plane_segmentation {
 
-/// The transforms of a bag up to where it was read.
+/// Buffer of the transforms of a bag up to the current position.
 class BagTransforms {
  public:
-  /// If messages of this kind are of use to add().
+  /// Returns true if add() uses messages of this topic and type.
   static bool wants(const std::string& topic, const std::string& datatype);
 
-  /// @throws std::exception if the message is broken
+  /// @throws std::exception if the message cannot be deserialised
   void add(const BagMessage& message);
 
   tf2::BufferCore& buffer() { return buffer_; }

@@ -11,7 +11,7 @@
 namespace line_plane_segmentation {
 namespace {
 
-// All but texts.
+// All parameters except texts.
 template <typename Visitor>
 void visitNumbers(LocationParameters& p, Visitor&& visitor) {
   visitTrackingParameters(p.tracking, visitor);

@@ -7,12 +7,12 @@
 
 namespace line_plane_segmentation {
 
-/// Sets the parameter of this name from text: frames, orientations, tracking, as the nodelet calls them.
-/// @return false if there is none of this name
-/// @throws BadInput if the value is none for it
+/// Sets a parameter of frames, orientation or tracking from text. Names are those of the nodelet.
+/// @return false if there is no such parameter
+/// @throws BadInput if the value is invalid
 bool setLocationParameter(const std::string& name, const std::string& value, LocationParameters& parameters);
 
-/// These parameters, for --help.
+/// Returns the list of these parameters for --help.
 std::string locationParameterList();
 
 }  // namespace line_plane_segmentation

@@ -9,7 +9,7 @@
 
 namespace line_plane_segmentation {
 
-/// A table with a row for each plane: the numbers of its message, and the topic of its image.
+/// CSV table with one row per plane: the values of its message, and the topic of its image.
 class PlanesCsv {
  public:
   /// @throws BadInput if the file cannot be written
@@ -17,7 +17,7 @@ class PlanesCsv {
 
   void add(const std::string& topic, const PlaneArray& planes);
 
-  /// @throws BadInput if it could not all be written
+  /// @throws BadInput if writing failed
   void close();
 
  private:

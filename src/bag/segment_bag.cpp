@@ -110,7 +110,7 @@ void segmentBagTool(int argc, char** argv) {
   if (given.count("help") != 0) return printHelp();
   const BagTask task = taskOf(given);
   checkFiles(task);
-  // rosbag tells of broken chunks in its own words, once for each message.
+  // Suppresses rosbag's own output about broken chunks, which is repeated for each message.
   console_bridge::noOutputHandler();
   catchInterruption();
   segmentBag(task);

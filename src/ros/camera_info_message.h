@@ -11,7 +11,7 @@
 
 namespace line_plane_segmentation {
 
-/// The calibration of a camera without distortion, whose images have this size.
+/// Returns the camera_info of a camera without distortion and with images of this size.
 inline sensor_msgs::CameraInfo makeCameraInfo(const std_msgs::Header& header, const CameraIntrinsics& camera,
                                               int width, int height) {
   sensor_msgs::CameraInfo info;

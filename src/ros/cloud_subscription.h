@@ -8,11 +8,11 @@
 
 namespace line_plane_segmentation {
 
-/// The subscription of an organised point cloud, for sensors that have no depth image to offer.
+/// Subscription of an organised point cloud, for sensors without a depth image.
 class CloudSubscription : public InputSource {
  public:
-  /// Subscribes nothing yet.
-  /// @param queue_size  messages that may wait in the transport
+  /// Does not subscribe yet.
+  /// @param queue_size  largest number of messages waiting in the transport
   CloudSubscription(const ros::NodeHandle& nh, int queue_size, Handler handler);
 
   void subscribe() override;

@@ -11,7 +11,7 @@
 namespace line_plane_segmentation {
 namespace {
 
-// Finds a coordinate that lies within the point, as a float.
+// Finds the offset of a float coordinate that lies completely within the point.
 bool findOffset(const sensor_msgs::PointCloud2& cloud, const char* name, std::size_t& offset) {
   for (const sensor_msgs::PointField& field : cloud.fields) {
     if (field.name != name) continue;
@@ -33,7 +33,7 @@ Refusal viewOf(const sensor_msgs::PointCloud2& cloud, const InputLimits& limits,
   const std::uint64_t width = cloud.width;
   const std::uint64_t height = cloud.height;
   const std::uint64_t most = std::min<std::uint64_t>(limits.max_pixels, std::numeric_limits<int>::max());
-  // 32-bit numbers cannot wrap when they are multiplied in 64 bits.
+  // 32-bit values cannot overflow when multiplied in 64 bits.
   if (width * height > most) return Refusal::kTooLarge;
 
   CloudView found;
@@ -55,7 +55,7 @@ Refusal viewOf(const sensor_msgs::PointCloud2& cloud, const InputLimits& limits,
 
 Validation validate(const sensor_msgs::PointCloud2& cloud, const InputLimits& limits,
                     std::vector<std::uint8_t>& depth) {
-  constexpr double kRounded = 0.5;  // [px] so far a camera without distortion is off at most
+  constexpr double kRounded = 0.5;  // [px] largest residual of a camera without distortion
   Validation found;
   CloudView view;
   found.refusal = viewOf(cloud, limits, view);
@@ -102,7 +102,7 @@ std::string explain(Refusal refusal, const sensor_msgs::PointCloud2& cloud) {
       return "the cloud's points are not where a pinhole camera sees its pixels: it must be that of one "
              "depth camera, "
              "in the camera's own optical frame (x right, y down, z ahead), not transformed";
-    default:  // nothing is wrong with the cloud
+    default:  // accepted, or unrelated to the cloud
       return {};
   }
 }

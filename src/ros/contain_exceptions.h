@@ -8,9 +8,9 @@
 
 namespace line_plane_segmentation {
 
-/// Calls what ROS calls back. An exception ends here, in the log: in the threads of a nodelet manager it
-/// would end the manager and all that it has loaded.
-/// @param name  of whoever is called back, for the log
+/// Runs a callback and logs its exceptions. In a thread of a nodelet manager, an exception would terminate
+/// the manager with all its nodelets.
+/// @param name  name for the log
 template <typename Callback>
 void containExceptions(const std::string& name, Callback&& callback) noexcept {
   try {
@@ -20,7 +20,7 @@ void containExceptions(const std::string& name, Callback&& callback) noexcept {
       ROS_ERROR("[%s] a callback failed: %s", name.c_str(), exception.what());
     }
   } catch (...) {
-    // Of unknown type, or there was no memory to log it.
+    // Unknown type, or out of memory while logging.
     return;
   }
 }

@@ -9,7 +9,7 @@ namespace line_plane_segmentation {
 std::optional<double> delayOf(const ros::Time& stamp, const ros::Time& now) {
   constexpr double kLongest = 3600.0;  // [s]
   if (stamp.isZero() || now.isZero()) return {};
-  // Not as a difference of times, which throws where it is too large.
+  // ros::Time::operator- throws if the difference is too large.
   const double delay = now.toSec() - stamp.toSec();
   if (std::abs(delay) > kLongest) return {};
   return delay;

@@ -10,21 +10,21 @@
 
 namespace line_plane_segmentation {
 
-/// A queue of frames and the thread that works them off, one after another. Whatever is thrown at a frame
-/// ends with that frame.
+/// Queue of frames, and the thread that processes them one after another. An exception ends the processing
+/// of its frame only.
 class FrameWorker {
  public:
   using Process = std::function<void(const CameraFrame&)>;
   using Failed = std::function<void(const std::string& problem)>;
 
-  /// Starts the thread, which calls both functions.
-  /// @param queue_size  frames that may wait
-  /// @param process     called with every frame
-  /// @param failed      called with what an exception says that left `process`; those of its own end here,
-  /// too
+  /// Starts the thread that calls both functions.
+  /// @param queue_size  largest number of waiting frames
+  /// @param process  called with each frame
+  /// @param failed  called with the message of an exception thrown by `process`; its own exceptions are
+  ///         caught as well
   FrameWorker(std::size_t queue_size, Process process, Failed failed);
 
-  /// Waits for the frame that is being processed.
+  /// Waits until the current frame is processed.
   ~FrameWorker();
 
   FrameWorker(const FrameWorker&) = delete;

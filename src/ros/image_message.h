@@ -11,7 +11,7 @@
 
 namespace line_plane_segmentation {
 
-/// An image message of this size with packed rows, all 0, in this machine's byte order.
+/// Returns an image message of this size with packed rows, all 0, in host byte order.
 inline sensor_msgs::Image::Ptr makeImage(const std_msgs::Header& header, const std::string& encoding,
                                          int width, int height, std::size_t bytes_per_pixel) {
   auto image = boost::make_shared<sensor_msgs::Image>();

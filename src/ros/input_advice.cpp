@@ -31,7 +31,7 @@ void InputAdvice::transformed(Purpose purpose, const TransformLookup& lookup) {
       "~target_frame, so that the frames are refused", "~gravity_frame, so that orientations are unknown",
       "~fixed_frame, so that ids go by the images alone"};
   constexpr int kFewest = 5;
-  constexpr int kMost = 100;  // what was long ago counts less and less
+  constexpr int kMost = 100;  // older lookups lose weight beyond this count
   Transforms& count = transforms_[static_cast<std::size_t>(purpose)];
   if (count.found + count.failed >= kMost) count = {count.found / 2, count.failed / 2, count.last_warning};
   ++(lookup.found() ? count.found : count.failed);

@@ -7,16 +7,17 @@
 
 namespace line_plane_segmentation {
 
-/// A place in the image that a plane fills all around, where a label of it can stand: the middle of the plane
-/// may lie behind something, or in a hole.
+/// Pixel inside a plane, far from its border, at which its text is drawn (an approximate pole of
+/// inaccessibility). The plane's centroid may be occluded or lie in a hole.
 struct LabelAnchor {
   bool found = false;
   int u = 0;  ///< [px]
   int v = 0;  ///< [px]
 };
 
-/// One for each of segmentation.planes: the place nearest to the middle of its pixels that has most of the
-/// room that any has. Single missing pixels do not count. Fast, since it looks at about 1 % of the pixels.
+/// Returns one anchor per plane of the segmentation: the cell nearest to the plane's centroid among those
+/// whose distance to the border is close to the largest. Works on a coarse grid that samples about 1 % of
+/// the pixels; single invalid pixels have no effect.
 std::vector<LabelAnchor> labelAnchors(const Segmentation& segmentation);
 
 }  // namespace line_plane_segmentation

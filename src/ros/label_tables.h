@@ -9,10 +9,10 @@
 
 namespace line_plane_segmentation {
 
-/// Tables of every label of the frame, to be looked up for each pixel. Labels of planes that are not
-/// published have what [0] has, which stands for no plane.
+/// Look-up tables by label. Index 0 is "no plane"; labels of planes that are not published have the same
+/// value as index 0.
 
-/// The label itself, or 0.
+/// Returns the published label per label: itself, or 0.
 inline std::vector<std::uint16_t> publishedLabels(const SegmentedFrame& frame) {
   std::vector<std::uint16_t> labels(frame.segmentation.planes.size() + 1, 0);
   for (const PublishedPlane& published : frame.published.planes) {
@@ -21,7 +21,7 @@ inline std::vector<std::uint16_t> publishedLabels(const SegmentedFrame& frame) {
   return labels;
 }
 
-/// The colour of the plane's id.
+/// Returns the colour per label, which depends on the plane's id.
 inline std::vector<Color> labelColors(const SegmentedFrame& frame, Color no_plane) {
   std::vector<Color> colors(frame.segmentation.planes.size() + 1, no_plane);
   for (const PublishedPlane& published : frame.published.planes) {

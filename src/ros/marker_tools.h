@@ -23,7 +23,7 @@ geometry_msgs::Point pointOf(const Vector& vector) {
   return point;
 }
 
-/// @param whitened  0 leaves the colour as it is, 1 makes it white
+/// @param whitened  fraction of white that is mixed in, 0 to 1
 inline std_msgs::ColorRGBA toRgba(const Color& color, float whitened = 0.0F) {
   const auto channel = [whitened](std::uint8_t value) {
     return whitened + (1.0F - whitened) * static_cast<float>(value) / 255.0F;
@@ -48,7 +48,7 @@ inline visualization_msgs::Marker makeMarker(const std_msgs::Header& header, con
   return marker;
 }
 
-/// A message that deletes all markers of the topic before it draws those that are yet to be added.
+/// Returns a message that deletes all markers of the topic; markers appended to it are drawn afterwards.
 inline visualization_msgs::MarkerArray::Ptr makeMarkerArray(const std_msgs::Header& header) {
   auto message = boost::make_shared<visualization_msgs::MarkerArray>();
   message->markers.push_back(makeMarker(header, "", 0, visualization_msgs::Marker::CUBE));

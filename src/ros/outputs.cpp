@@ -4,7 +4,7 @@
 namespace line_plane_segmentation {
 namespace {
 
-// Messages that wait for a slow connection: a burst of small ones gets through, of large ones the newest.
+// Queue sizes for slow connections: several small messages, but only the newest large one.
 constexpr unsigned kSmallMessages = 10;
 constexpr unsigned kLargeMessages = 2;
 

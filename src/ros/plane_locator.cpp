@@ -6,7 +6,7 @@
 namespace line_plane_segmentation {
 namespace {
 
-// No plane is remembered for longer, TrackingParameters::track_memory.
+// The upper bound of TrackingParameters::track_memory.
 constexpr double kLongestPause = 60.0;  // [s]
 
 }  // namespace
@@ -18,7 +18,7 @@ bool CameraPlaces::has(TransformLookup::Answer answer) const {
 }
 
 void PlaneLocator::setParameters(const LocationParameters& parameters) {
-  // A pose in one frame and a pose in another make no motion.
+  // Poses in different fixed frames have no common motion.
   if (parameters.frames.fixed_frame != parameters_.frames.fixed_frame) last_pose_.reset();
   parameters_ = parameters;
   tracker_.setParameters(parameters.tracking);
@@ -34,7 +34,7 @@ CameraPlaces PlaneLocator::lookUp(const std_msgs::Header& header) const {
 }
 
 bool PlaneLocator::isAnotherTime(const ros::Time& stamp) const {
-  // Not as a difference of times, which throws where it is too large.
+  // ros::Time::operator- throws if the difference is too large.
   return last_stamp_ && (stamp < *last_stamp_ || stamp.toSec() - last_stamp_->toSec() > kLongestPause);
 }
 

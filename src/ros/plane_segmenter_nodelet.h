@@ -19,10 +19,11 @@
 
 namespace line_plane_segmentation {
 
-/// Segments the planes of a depth camera while somebody subscribes to its outputs.
+/// Segments the planes of a depth camera while at least one output has a subscriber.
 ///
-/// Everything but the segmenting itself runs on the nodelet's single-threaded queue and takes
-/// microseconds: pairing images with camera_info, subscribing and unsubscribing, reconfiguring, reporting.
+/// Only the segmentation runs in its own thread (FrameProcessor). Pairing images with camera_info,
+/// subscribing, reconfiguring and reporting run on the nodelet's single-threaded queue and take
+/// microseconds.
 class PlaneSegmenterNodelet : public nodelet::Nodelet {
  public:
   ~PlaneSegmenterNodelet() override;
@@ -35,13 +36,14 @@ class PlaneSegmenterNodelet : public nodelet::Nodelet {
   void updateSubscription();
   void reportStatus(diagnostic_updater::DiagnosticStatusWrapper& diagnostics);
 
-  // Held while the parts below are made, so that a subscriber who comes meanwhile finds them all.
+  // Held while the members below are created, so that the callback of a subscriber that connects meanwhile
+  // finds all of them.
   std::mutex connect_mutex_;
-  std::string failure_;  // why this does not work; empty if it does
+  std::string failure_;  // why the nodelet does not run; empty if it runs
   NodeletParameters parameters_;
   std::uint64_t reported_dropped_ = 0;
 
-  // In this order: each uses those before it.
+  // Order matters: each member uses the ones above it.
   std::unique_ptr<Outputs> outputs_;
   std::unique_ptr<TransformFeed> transforms_;
   std::unique_ptr<FrameProcessor> processor_;

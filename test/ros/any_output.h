@@ -10,10 +10,10 @@
 
 namespace line_plane_segmentation {
 
-/// A subscriber of a topic of whatever type.
+/// Subscriber of a topic of any type.
 using Anything = Inbox<topic_tools::ShapeShifter>;
 
-/// The names of all that a segmenter publishes.
+/// Names of all topics that a segmenter publishes.
 inline const std::vector<std::string>& outputs() {
   static const std::vector<std::string> kOutputs = {"planes",  "labels",  "cloud",
                                                     "overlay", "markers", "scanlines"};

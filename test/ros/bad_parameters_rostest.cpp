@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Started with parameters that make no sense, the segmenter stays alive, idle, and says what is wrong.
+// Started with invalid parameters, the segmenter stays alive and idle, and reports what is wrong.
 #include <gtest/gtest.h>
 
 #include <string>

@@ -14,7 +14,7 @@
 
 namespace line_plane_segmentation {
 
-/// One cloud that is good but for what `spoil` does to it, and what validate() has to say about it.
+/// A valid cloud, one modification of it, and the expected result of validate().
 struct CloudCase {
   const char* what;
   Refusal expected;
@@ -23,7 +23,7 @@ struct CloudCase {
 
 inline void PrintTo(const CloudCase& c, std::ostream* stream) { *stream << c.what; }
 
-/// What makes a cloud no organised one, for one like testCloud().
+/// Modifications of testCloud() that make it invalid.
 inline const std::vector<CloudCase>& cloudCases() {
   using sensor_msgs::PointCloud2;
   constexpr std::uint32_t kMaxUint32 = std::numeric_limits<std::uint32_t>::max();

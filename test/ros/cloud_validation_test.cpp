@@ -30,7 +30,7 @@ class CloudValidation : public testing::Test {
 
   Validation validate() { return line_plane_segmentation::validate(cloud_, limits_, depth_); }
 
-  // Applies to every point.
+  // Applies the function to every point.
   void change(
       const std::function<Eigen::Vector3d(std::uint32_t, std::uint32_t, const Eigen::Vector3d&)>& changed) {
     for (std::uint32_t v = 0; v < kHeight; ++v) {
@@ -119,7 +119,7 @@ TEST_F(CloudValidation, missingAndAbsurdPointsDoNotCount) {
   expectTheCamera(found.camera);
 }
 
-// No plane is in them, but they are no mistake either.
+// They contain no plane, but they are valid.
 TEST_F(CloudValidation, takesCloudsWithoutPoints) {
   change(
       [](std::uint32_t, std::uint32_t, const Eigen::Vector3d&) { return Eigen::Vector3d(kNan, kNan, kNan); });
@@ -143,8 +143,8 @@ TEST_F(CloudValidation, refusesCloudsThatNoPinholeCameraSees) {
       [](const Eigen::Vector3d& p) { return Eigen::Vector3d(p.x(), p.y(), 1.0 + p.z()); },
       [](const Eigen::Vector3d& p) { return Eigen::Vector3d(p.x(), p.y(), 0.5 * p.z() + 0.2 * p.y()); }};
   for (std::size_t i = 0; i < transforms.size(); ++i) {
-    // Near things before far ones: where all is about as far away, some of these would look like another
-    // camera.
+    // A near object in front of a far one: with equal depths, some of these clouds would match another
+    // pinhole camera.
     change([&](std::uint32_t u, std::uint32_t v, const Eigen::Vector3d& p) {
       return transforms[i]((u / 8 + v / 8) % 2 == 0 ? p : (2.0 * p).eval());
     });

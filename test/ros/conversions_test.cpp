@@ -19,8 +19,8 @@ namespace {
 
 using visualization_msgs::Marker;
 
-// A wall at 2 m, 8x4 pixels; two pixels have no depth, by NaN and by 0. With planes, the left half is plane
-// 1, the next quarter plane 2, the rest none.
+// A wall at 2 m, 8x4 pixels, of which one is NaN and one is 0. With planes, the left half is plane 1, the
+// next quarter plane 2, the rest no plane.
 class Conversions : public testing::Test {
  protected:
   static constexpr int kWidth = 8;

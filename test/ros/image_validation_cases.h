@@ -15,7 +15,7 @@
 
 namespace line_plane_segmentation {
 
-/// One message that is good but for what `spoil` does to it, and what validate() has to say about it.
+/// A valid message, one modification of it, and the expected result of validate().
 struct ValidationCase {
   const char* what;
   Refusal expected;
@@ -29,7 +29,7 @@ inline void setFocalLengths(sensor_msgs::CameraInfo& info, double fx, double fy)
   info.K[4] = info.P[5] = fy;
 }
 
-/// The promises about messages, row by row of doc/reliability.md: for an image of 16UC1 without padding.
+/// Cases for the rows of doc/reliability.md that concern messages, for a 16UC1 image without padding.
 inline const std::vector<ValidationCase>& validationCases() {
   using sensor_msgs::CameraInfo;
   using sensor_msgs::Image;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What rviz draws of a floor that the camera sees, a table's top before it.
+// Markers of a floor and a table top in front of it.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -64,7 +64,7 @@ class MarkersTest : public testing::Test {
     return found;
   }
 
-  // In the world the floor lies at 0 and the table at the difference.
+  // In the world frame the floor is at height 0.
   static bool isOnSurface(double z, double tolerance) {
     return std::min(std::abs(z), std::abs(z - (kFloor - kTable))) < tolerance;
   }
@@ -87,7 +87,7 @@ TEST_F(MarkersTest, tellIdAreaAndOrientation) {
   }
 }
 
-// The colour goes with the id, whatever the label is.
+// The colour depends on the id, not on the label.
 TEST_F(MarkersTest, haveTheColorsOfTheIds) {
   const auto message = planeMarkers(segment());
   for (const char* ns : {"outlines", "normals"}) {
@@ -118,7 +118,7 @@ TEST_F(MarkersTest, outlinesHaveHoles) {
   EXPECT_GE(around_the_table, 8) << "four edges, two ends each";
 }
 
-// The floor's centroid lies below the table.
+// The floor's centroid is occluded by the table.
 TEST_F(MarkersTest, arrowsStandWhereThePlaneIsSeen) {
   const auto message = planeMarkers(segment());
   const std::vector<Marker> arrows = ofNamespace(*message, "normals");
@@ -156,13 +156,13 @@ TEST_F(MarkersTest, scanlinesLieOnTheSurfacesAndNormalsStandOnThem) {
         const bool lies = isOnSurface(points[i + 1].z, 0.02);
         right += isOnSurface(points[i].z, 0.02) && (std::string(ns) == "candidates" ? stands : lies) ? 1 : 0;
       }
-      // Windows over the table's edge make the others.
+      // The others come from windows across the table's edge.
       EXPECT_GE(2 * right, points.size() * 95 / 100);
     }
   }
 }
 
-// Where nothing was found, and where a line runs off to the horizon, nothing is drawn.
+// Nothing is drawn if nothing was found, and for lines that run to the horizon.
 TEST_F(MarkersTest, scanlinesOutOfRangeAreLeftOut) {
   LineSegment segment;
   segment.scanline = 120;

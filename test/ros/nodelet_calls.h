@@ -17,7 +17,7 @@ inline bool loadSegmenter(const std::string& name) {
   return ros::service::call("/manager/load_nodelet", call) && call.response.success;
 }
 
-/// Unloads it again.
+/// Unloads the segmenter.
 inline bool unloadSegmenter(const std::string& name) {
   nodelet::NodeletUnload call;
   call.request.name = name;

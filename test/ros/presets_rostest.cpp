@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Presets, set before the start and while it runs.
+// Presets, set before the start and at run time.
 #include <dynamic_reconfigure/Config.h>
 #include <gtest/gtest.h>
 
@@ -28,7 +28,7 @@ class Presets : public testing::Test {
   int updates_ = 0;
 };
 
-// In this order: the first is about the start.
+// Order matters: the first test is about the start.
 TEST_F(Presets, fillInWhatNobodySet) {
   Parameters preset;
   ASSERT_TRUE(loadPreset("short_range", preset));

@@ -11,7 +11,7 @@
 
 namespace line_plane_segmentation {
 
-/// Has a request ask for this one parameter, too; those that it does not name stay as they are.
+/// Adds a parameter to a request. Parameters that a request does not name stay unchanged.
 inline void setDouble(dynamic_reconfigure::Reconfigure& call, const std::string& name, double value) {
   dynamic_reconfigure::DoubleParameter parameter;
   parameter.name = name;
@@ -19,7 +19,7 @@ inline void setDouble(dynamic_reconfigure::Reconfigure& call, const std::string&
   call.request.config.doubles.push_back(parameter);
 }
 
-/// As setDouble().
+/// Adds a parameter to a request, like setDouble().
 inline void setString(dynamic_reconfigure::Reconfigure& call, const std::string& name,
                       const std::string& value) {
   dynamic_reconfigure::StrParameter parameter;
@@ -28,7 +28,7 @@ inline void setString(dynamic_reconfigure::Reconfigure& call, const std::string&
   call.request.config.strs.push_back(parameter);
 }
 
-/// Sends a request to a segmenter; `call` then has its answer.
+/// Sends a request to a segmenter and stores the response in `call`.
 inline void reconfigure(dynamic_reconfigure::Reconfigure& call,
                         const std::string& segmenter = "plane_segmenter") {
   const std::string service = segmenter + "/set_parameters";
@@ -36,8 +36,8 @@ inline void reconfigure(dynamic_reconfigure::Reconfigure& call,
   EXPECT_TRUE(ros::service::call(service, call));
 }
 
-/// Asks the segmenter under test for other parameters than the defaults.
-/// @return what it made of them
+/// Sets parameters of the segmenter under test.
+/// @return the parameters in effect
 inline PlaneSegmenterConfig reconfigure(const std::function<void(PlaneSegmenterConfig&)>& change) {
   PlaneSegmenterConfig config = PlaneSegmenterConfig::__getDefault__();
   change(config);

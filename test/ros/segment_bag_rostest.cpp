@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What segment_bag writes is what the running segmenter publishes, bit by bit.
+// segment_bag writes the same messages as the running segmenter publishes, bit by bit.
 #include <gtest/gtest.h>
 #include <line_plane_segmentation/PlaneArray.h>
 #include <sensor_msgs/PointCloud2.h>
@@ -23,7 +23,7 @@ constexpr int kFrames = 12;
 constexpr int kWidth = 320;
 constexpr int kHeight = 240;
 
-// Not compared: how long it took, and the number that roscpp gives a message when it sends it.
+// Not compared: the processing time, and the sequence number that roscpp assigns.
 void forgetTheWay(PlaneArray& message) {
   message.header.seq = 0;
   message.processing_time = 0.0F;
@@ -37,7 +37,7 @@ void forgetTheWay(Message& message) {
   message.header.seq = 0;
 }
 
-/// What came of one topic of the running segmenter.
+/// Messages of one topic of the running segmenter.
 template <typename Message>
 class Record {
  public:
@@ -71,7 +71,7 @@ class Record {
   std::vector<std::string> live_;
 };
 
-// A camera on its way through a furnished room, so that planes come and go.
+// A camera that moves through a furnished room, so that planes appear and disappear.
 sensor_msgs::Image pictureOf(simulation::SimulatedCamera& room, int i) {
   sensor_msgs::Image image = testImage(kWidth, kHeight, "16UC1");
   room.capture(static_cast<std::uint64_t>(i), 0.25 * i, reinterpret_cast<std::uint16_t*>(image.data.data()));
@@ -108,7 +108,7 @@ TEST(SegmentBag, givesWhatTheRunningSegmenterPublishes) {
   const ros::Publisher transforms = nh.advertise<tf2_msgs::TFMessage>("/tf", 10);
   ASSERT_TRUE(waitUntil([&] { return transforms.getNumSubscribers() > 0; }));
 
-  // Until the segmenter knows of all subscribers. What it saw so long before does not count for the ids.
+  // Publishes until the segmenter knows all subscribers. Images this old do not affect the ids.
   const auto count = [&] {
     return std::min(
         {planes.size(), labels.size(), overlay.size(), cloud.size(), markers.size(), scanlines.size()});
@@ -133,7 +133,7 @@ TEST(SegmentBag, givesWhatTheRunningSegmenterPublishes) {
   const std::string out = (folder / "out.bag").string();
   rosbag::Bag bag(in, rosbag::bagmode::Write);
   simulation::SimulatedCamera room({3, kWidth, kHeight, true});
-  // Once tf knows the frame, images wait for transforms that are late.
+  // Once tf knows the frame, images wait for late transforms.
   bag.write("/tf", recordingTime(-1), placeOf(room, -1));
   transforms.publish(placeOf(room, -1));
   spinFor(0.5);
@@ -142,7 +142,7 @@ TEST(SegmentBag, givesWhatTheRunningSegmenterPublishes) {
     sensor_msgs::CameraInfo info = testInfo(kWidth, kHeight);
     image.header.stamp = info.header.stamp = stampOf(i);
     bag.write("/camera/depth/image_rect", recordingTime(i), image);
-    // Later than the image, as is usual.
+    // After the image, as usual.
     bag.write("/tf", recordingTime(i) + ros::Duration(0.02), placeOf(room, i));
     bag.write("/camera/depth/camera_info", recordingTime(i), info);
     camera.publish(image, info, image.header.stamp);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Images go in, every message comes out as promised.
+// All outputs for one image, as documented.
 #include <dynamic_reconfigure/Reconfigure.h>
 #include <gtest/gtest.h>
 #include <line_plane_segmentation/PlaneArray.h>
@@ -17,7 +17,7 @@ namespace {
 constexpr std::uint32_t kWidth = 640;
 constexpr std::uint32_t kHeight = 480;
 
-// A floor, tilted to the side, as a camera that looks down sees it.
+// A tilted floor, seen by a camera that looks down.
 const Eigen::Vector3d kNormal = Eigen::Vector3d(0.2, -0.4, -1.0).normalized();
 constexpr double kDistance = 1.4;
 
@@ -45,7 +45,7 @@ class SegmentationTest : public testing::Test {
  protected:
   SegmentationTest() { EXPECT_TRUE(camera_.waitForSubscriber()); }
 
-  // Every frame of the tests has its own stamp.
+  // Returns a new timestamp for each frame.
   static ros::Time nextStamp() {
     static double seconds = 1000.0;
     return ros::Time(seconds += 0.1);
@@ -57,7 +57,7 @@ class SegmentationTest : public testing::Test {
     EXPECT_TRUE(planes_.waitFor(stamp)) << "no planes at " << stamp;
   }
 
-  // Checks the newest answer.
+  // Checks the newest messages.
   void expectThePlane() const {
     ASSERT_TRUE(planes_.newest());
     ASSERT_EQ(1U, planes_.newest()->planes.size());
@@ -94,7 +94,7 @@ TEST_F(SegmentationTest, answersOnEveryTopic) {
   const Inbox<sensor_msgs::PointCloud2> cloud("plane_segmenter/cloud");
   const MarkerInbox markers("plane_segmenter/markers");
   const MarkerInbox scanlines("plane_segmenter/scanlines");
-  // Subscribers of the other outputs leave no trace at the camera: publish until all are there.
+  // The camera cannot see subscribers of the other outputs: publish until all are connected.
   ros::Time stamp;
   ASSERT_TRUE(waitUntil([&] {
     stamp = nextStamp();

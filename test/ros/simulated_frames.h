@@ -14,13 +14,13 @@
 
 namespace line_plane_segmentation {
 
-/// What a depth camera sends at one moment.
+/// Messages of a depth camera at one time.
 struct TestFrame {
   sensor_msgs::Image image;
   sensor_msgs::CameraInfo info;
 };
 
-/// What a simulated Kinect sees on its way through a furnished room, `count` pictures a second apart.
+/// Renders `count` images, one second apart, of a simulated Kinect that moves through a furnished room.
 /// @param seed      of the room
 /// @param encoding  16UC1, mono16 or 32FC1
 inline std::vector<TestFrame> simulatedFrames(std::uint64_t seed, int count, int width, int height,

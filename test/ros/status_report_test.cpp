@@ -17,7 +17,7 @@ using std::chrono::seconds;
 
 const InputTimes::TimePoint kNow = InputTimes::TimePoint{} + std::chrono::hours(1);
 
-// Somebody subscribes, and frames come.
+// An output has a subscriber, and frames arrive.
 NodeletStatus statusOfWorkingNodelet() {
   NodeletStatus status;
   status.wanted = true;

@@ -13,11 +13,11 @@
 
 namespace line_plane_segmentation {
 
-/// A time for stamps and delays [s], of a clock that all processes of this machine share.
+/// Time for timestamps and delays [s], from a clock shared by all processes of this machine.
 inline double now() { return ros::SteadyTime::now().toSec(); }
 
-/// Lets callbacks run until `condition()` holds.
-/// @return whether it came to hold before the time [s] was up
+/// Runs callbacks until `condition()` is true.
+/// @return false if it was not true within the time [s]
 template <typename Condition>
 bool waitUntil(Condition condition, double seconds = 15.0) {
   const auto end = std::chrono::steady_clock::now() + std::chrono::duration<double>(seconds);
@@ -29,12 +29,12 @@ bool waitUntil(Condition condition, double seconds = 15.0) {
   return false;
 }
 
-/// Lets callbacks run for so long [s].
+/// Runs callbacks for this time [s].
 inline void spinFor(double seconds) {
   waitUntil([] { return false; }, seconds);
 }
 
-/// Publishes what a test makes of a depth camera's topics.
+/// Publishes depth image and camera_info like a camera driver.
 class TestCamera {
  public:
   /// @param name_space  of its topics
@@ -57,7 +57,7 @@ class TestCamera {
     info_publisher_.publish(info);
   }
 
-  /// Publishes both under one stamp.
+  /// Publishes both with one timestamp.
   void publish(const sensor_msgs::Image& image, const sensor_msgs::CameraInfo& info, const ros::Time& stamp) {
     publishImage(image, stamp);
     publishInfo(info, stamp);
@@ -66,14 +66,14 @@ class TestCamera {
   unsigned imageSubscribers() const { return image_publisher_.getNumSubscribers(); }
   unsigned infoSubscribers() const { return info_publisher_.getNumSubscribers(); }
 
-  /// How often somebody subscribed to the image.
+  /// Number of times that a subscriber of the image connected.
   int arrivals() const { return arrivals_; }
 
   bool waitForSubscriber() const {
     return waitUntil([this] { return imageSubscribers() == 1 && infoSubscribers() == 1; });
   }
 
-  /// Waits until nobody listens.
+  /// Waits until there is no subscriber.
   bool waitForIdle() const {
     return waitUntil([this] { return imageSubscribers() == 0 && infoSubscribers() == 0; });
   }
@@ -85,7 +85,7 @@ class TestCamera {
   ros::Publisher info_publisher_;
 };
 
-/// The newest message of a topic, and how many came.
+/// The newest message of a topic, and the number of messages.
 template <typename Message>
 class Inbox {
  public:
@@ -100,7 +100,7 @@ class Inbox {
   const boost::shared_ptr<const Message>& newest() const { return newest_; }
   int count() const { return count_; }
 
-  /// Waits for the answer to the image of this stamp.
+  /// Waits for the message with this timestamp.
   bool waitFor(const ros::Time& stamp, double seconds = 15.0) const {
     return waitUntil([&] { return newest_ && newest_->header.stamp == stamp; }, seconds);
   }

@@ -14,8 +14,8 @@
 
 namespace line_plane_segmentation {
 
-/// An organised cloud of this size without points: x, y and z after a byte of something else, so that none is
-/// aligned, and rows with padding.
+/// An organised cloud of this size with all points 0. x, y and z follow a one-byte field, so that they are
+/// unaligned, and rows are padded.
 inline sensor_msgs::PointCloud2 testCloud(std::uint32_t width, std::uint32_t height) {
   sensor_msgs::PointCloud2 cloud;
   cloud.header.frame_id = kCameraFrame;
@@ -37,7 +37,7 @@ inline sensor_msgs::PointCloud2 testCloud(std::uint32_t width, std::uint32_t hei
   return cloud;
 }
 
-/// Writes a coordinate, 0 to 2, in the cloud's byte order.
+/// Writes coordinate 0, 1 or 2 of a point in the cloud's byte order.
 inline void setCoordinate(sensor_msgs::PointCloud2& cloud, std::uint32_t u, std::uint32_t v,
                           std::size_t coordinate, double value) {
   const auto number = static_cast<float>(value);
@@ -54,7 +54,7 @@ inline void setPoint(sensor_msgs::PointCloud2& cloud, std::uint32_t u, std::uint
   for (std::size_t i = 0; i < 3; ++i) setCoordinate(cloud, u, v, i, point[static_cast<Eigen::Index>(i)]);
 }
 
-/// Fills the cloud with what `camera` sees of the plane normal . p + d = 0.
+/// Fills the cloud with the plane normal . p + d = 0 as seen by `camera`.
 inline void setPlane(sensor_msgs::PointCloud2& cloud, const CameraIntrinsics& camera,
                      const Eigen::Vector3d& normal, double d) {
   for (std::uint32_t v = 0; v < cloud.height; ++v) {

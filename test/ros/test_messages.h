@@ -25,7 +25,7 @@ inline CameraIntrinsics testCamera(std::uint32_t width, std::uint32_t height) {
   return {f, f, (width - 1) / 2.0, (height - 1) / 2.0};
 }
 
-/// What the pixel sees, at depth 1.
+/// The ray of a pixel, at depth 1.
 inline Eigen::Vector3d rayOf(const CameraIntrinsics& camera, double u, double v) {
   return {(u - camera.cx) / camera.fx, (v - camera.cy) / camera.fy, 1.0};
 }
@@ -64,7 +64,7 @@ inline void setDepth(sensor_msgs::Image& image, std::uint32_t u, std::uint32_t v
   }
 }
 
-/// The image that testCamera() has of the plane normal . p + d = 0, which fills it.
+/// Image of the plane normal . p + d = 0 from testCamera().
 inline sensor_msgs::Image imageOfPlane(std::uint32_t width, std::uint32_t height, const std::string& encoding,
                                        const Eigen::Vector3d& normal, double d) {
   sensor_msgs::Image image = testImage(width, height, encoding);

@@ -15,7 +15,7 @@
 
 namespace line_plane_segmentation {
 
-/// The process of a node. -1 if there is none.
+/// Process id of a node, -1 if there is none.
 inline int processOfNode(const std::string& node) {
   XmlRpc::XmlRpcValue request, response, payload;
   request[0] = ros::this_node::getName();
@@ -31,7 +31,7 @@ inline int processOfNode(const std::string& node) {
   return client.execute("getPid", caller, pid) ? static_cast<int>(pid[2]) : -1;
 }
 
-/// The process of the node that publishes a topic. -1 if there is none.
+/// Process id of the node that publishes a topic, -1 if there is none.
 inline int processThatPublishes(const std::string& topic) {
   XmlRpc::XmlRpcValue request, response, payload;
   request[0] = ros::this_node::getName();
@@ -42,7 +42,7 @@ inline int processThatPublishes(const std::string& topic) {
   return -1;
 }
 
-/// Memory [MB] that a process has in use. 0 if there is no such process.
+/// Resident memory of a process [MB], 0 if it does not exist.
 inline double residentMegabytes(int process) {
   std::ifstream file("/proc/" + std::to_string(process) + "/statm");
   double total_pages = 0.0, resident_pages = 0.0;
@@ -50,8 +50,8 @@ inline double residentMegabytes(int process) {
   return resident_pages * static_cast<double>(sysconf(_SC_PAGESIZE)) / 1e6;
 }
 
-/// Entries of a folder in /proc/PID: of `task` the threads, of `fd` the open files. 0 if there is no such
-/// process.
+/// Number of entries of a folder in /proc/PID: threads for `task`, open files for `fd`. 0 if the process
+/// does not exist.
 inline int entriesOf(int process, const std::string& folder) {
   std::error_code ignored;
   const std::filesystem::directory_iterator entries("/proc/" + std::to_string(process) + '/' + folder,
@@ -59,7 +59,7 @@ inline int entriesOf(int process, const std::string& folder) {
   return static_cast<int>(std::distance(begin(entries), end(entries)));
 }
 
-/// Processor time [s] that a process has used so far. 0 if there is no such process.
+/// Processor time of a process [s], 0 if it does not exist.
 inline double processorSeconds(int process) {
   std::ifstream file("/proc/" + std::to_string(process) + "/stat");
   const std::string text{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};

@@ -15,7 +15,7 @@
 
 namespace line_plane_segmentation {
 
-/// What a segmenter says about itself on /diagnostics.
+/// Reports of a segmenter on /diagnostics.
 class Diagnostics {
  public:
   explicit Diagnostics(const std::string& segmenter = "plane_segmenter")
@@ -26,24 +26,24 @@ class Diagnostics {
   Diagnostics(const Diagnostics&) = delete;
   Diagnostics& operator=(const Diagnostics&) = delete;
 
-  /// Reports that came.
+  /// Number of received reports.
   int count() const { return count_; }
   const diagnostic_msgs::DiagnosticStatus& newest() const { return newest_; }
 
-  /// A value of the newest report, "" if it has none.
+  /// Value of the newest report, "" if absent.
   std::string value(const std::string& key) const {
     const auto found = std::find_if(newest_.values.begin(), newest_.values.end(),
                                     [&](const diagnostic_msgs::KeyValue& value) { return value.key == key; });
     return found == newest_.values.end() ? std::string() : found->value;
   }
 
-  /// A number of the newest report; -1 if it has none.
+  /// Number in the newest report, -1 if absent.
   double number(const std::string& key) const {
     const std::string text = value(key);
     return text.empty() ? -1.0 : std::stod(text);
   }
 
-  /// Waits for a report of this level that says so.
+  /// Waits for a report of this level that contains the text.
   bool waitForStatus(int level, const std::string& text, double seconds = 15.0) const {
     return waitUntil(
         [&] { return newest_.level == level && newest_.message.find(text) != std::string::npos; }, seconds);
@@ -53,9 +53,9 @@ class Diagnostics {
     return waitUntil([&] { return value(key) == expected; });
   }
 
-  /// Waits for a report that tells of everything until now.
+  /// Waits for a report that covers everything until now.
   bool waitForReport() const {
-    // The first that comes may be on its way already.
+    // The next one may have been made earlier.
     const int before = count_;
     return waitUntil([&] { return count_ >= before + 2; });
   }
@@ -75,7 +75,7 @@ class Diagnostics {
   ros::Subscriber subscriber_;
 };
 
-/// The lines that the segmenter under test writes to the log.
+/// Log lines of the segmenter under test.
 class LogLines {
  public:
   LogLines()
@@ -83,7 +83,8 @@ class LogLines {
             "/rosout", 1000, [this](const rosgraph_msgs::Log::ConstPtr& line) {
               if (line->msg.find("[/plane_segmenter]") != std::string::npos) lines_.push_back(*line);
             })) {
-    // Not heard before its connection stands: something harmless is said again and again until then.
+    // Messages before the connection is established are lost: a harmless one is logged repeatedly until it
+    // arrives.
     const auto askForAnEvenNumber = [](PlaneSegmenterConfig& config) { config.points_per_segment = 4; };
     EXPECT_TRUE(waitUntil([&] {
       reconfigure(askForAnEvenNumber);
@@ -95,7 +96,7 @@ class LogLines {
   LogLines(const LogLines&) = delete;
   LogLines& operator=(const LogLines&) = delete;
 
-  /// Warnings so far that contain this.
+  /// Number of warnings so far that contain the text.
   int warnings(const std::string& text) const {
     return static_cast<int>(std::count_if(lines_.begin(), lines_.end(), [&](const rosgraph_msgs::Log& line) {
       return line.level == rosgraph_msgs::Log::WARN && line.msg.find(text) != std::string::npos;

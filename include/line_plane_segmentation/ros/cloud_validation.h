@@ -13,7 +13,7 @@
 
 namespace line_plane_segmentation {
 
-/// The coordinates in an organised point cloud, whose points need not be aligned. Owns none of it.
+/// Non-owning view of the coordinates of an organised point cloud. Points may be unaligned.
 struct CloudView {
   const std::uint8_t* data = nullptr;
   int width = 0;               ///< [px]
@@ -23,32 +23,30 @@ struct CloudView {
   std::size_t x = 0;           ///< [bytes] from the point to its x, a float
   std::size_t y = 0;           ///< [bytes] to its y
   std::size_t z = 0;           ///< [bytes] to its z
-  bool swap_bytes = false;     ///< stored in the other byte order than this machine's
+  bool swap_bytes = false;     ///< the byte order differs from the host's
 };
 
-/// Decides about a cloud before any point is read. Allocates nothing and never throws, whatever the message
-/// says.
-/// @param view  set if the cloud is not refused; valid as long as the message is
+/// Validates a cloud before any point is read. Does not allocate and never throws, for any message.
+/// @param view  set if the cloud is accepted; valid as long as the message
 Refusal viewOf(const sensor_msgs::PointCloud2& cloud, const InputLimits& limits, CloudView& view);
 
-/// The camera that an organised cloud comes from, as its points tell by x / z and y / z.
+/// Pinhole camera of an organised cloud, estimated from x / z and y / z of its points.
 struct CloudCamera {
   Refusal refusal = Refusal::kNone;  ///< or kNotPinhole
   CameraIntrinsics camera;
-  double deviation =
-      0.0;  ///< [px] root mean square distance of the points to the places where the camera sees them
+  double deviation = 0.0;  ///< [px] root mean square distance of pixels from the projections of their points
 };
 
-/// Fits a pinhole camera to a sample of the points. Where they are too few for that, any camera will do: so
-/// few hold no plane.
+/// Fits a pinhole camera to a sample of the points. With too few points the camera is arbitrary; so few
+/// points contain no plane.
 CloudCamera cameraOf(const CloudView& cloud);
 
-/// Decides about a cloud as a depth image.
-/// @param depth  the z of every point, in the cloud's byte order: the bytes that the result's view looks at
+/// Validates a cloud and converts it to a depth image.
+/// @param depth  z of every point, in the cloud's byte order; referenced by the view of the result
 Validation validate(const sensor_msgs::PointCloud2& cloud, const InputLimits& limits,
                     std::vector<std::uint8_t>& depth);
 
-/// One line for the user: what is wrong with the cloud, and what to do about it.
+/// Returns one line for the user: the fault of the cloud and its remedy.
 std::string explain(Refusal refusal, const sensor_msgs::PointCloud2& cloud);
 
 }  // namespace line_plane_segmentation

@@ -18,36 +18,36 @@
 
 namespace line_plane_segmentation {
 
-/// A segmented depth image and all that its messages are made from. Owns none of it.
+/// A segmented depth image with the data from which its messages are built. Owns nothing.
 struct SegmentedFrame {
-  const std_msgs::Header& header;  ///< of the images: the depth image's stamp and frame
+  const std_msgs::Header& header;  ///< header of image messages: timestamp and frame of the depth image
   const DepthView& depth;
-  const DepthRange& range;  ///< [m] that was looked at
+  const DepthRange& range;  ///< [m] range of valid depths
   const CameraIntrinsics& camera;
   const Segmentation& segmentation;
-  const PublishedPlanes& published;  ///< what is told of its planes, and the header of everything else
-  double processing_time = 0.0;      ///< [ms] that the segmentation took
+  const PublishedPlanes& published;  ///< planes to publish, and the header of all other messages
+  double processing_time = 0.0;      ///< [ms] duration of the segmentation
 };
 
-/// Everything about the planes, in one message. Every number is finite.
+/// Returns the message of all planes. All values are finite.
 PlaneArray::Ptr planesMessage(const SegmentedFrame& frame);
 
-/// 16UC1: 0 no plane that is published, k the plane with label k.
+/// Returns the label image, 16UC1: 0 = no published plane, k = plane with label k.
 sensor_msgs::Image::Ptr labelsImage(const SegmentedFrame& frame);
 
-/// Organised XYZRGB, a point for each pixel, in the colours of the planes' ids, grey without a plane.
-/// Where there is no depth x, y and z are NaN (REP 117), the only messages' numbers that ever are.
+/// Returns an organised XYZRGB cloud, one point per pixel, in the colours of the planes' ids, grey without
+/// a plane. x, y and z of invalid pixels are NaN (REP 117); no other message contains NaN.
 sensor_msgs::PointCloud2::Ptr coloredCloud(const SegmentedFrame& frame);
 
-/// rgb8: the depth as grey, near is light, tinted with the colours of the planes' ids.
+/// Returns an rgb8 image: depth as grey, near is light, tinted with the colours of the planes' ids.
 sensor_msgs::Image::Ptr overlayImage(const SegmentedFrame& frame);
 
-/// For rviz: a DELETEALL, and for each plane its outlines with holes (namespace "outlines"), an arrow
-/// along its normal ("normals") and its id, area and orientation, where that is known ("ids"). Arrow and text
-/// stand where the camera sees the plane.
+/// For rviz: a DELETEALL, and for each plane its outlines with holes (namespace "outlines"), an arrow along
+/// its normal ("normals") and its id, area and, if known, orientation ("ids"). Arrow and text are placed at
+/// a visible point of the plane.
 visualization_msgs::MarkerArray::Ptr planeMarkers(const SegmentedFrame& frame);
 
-/// For rviz, the method at work, as the paper's Figure 4 shows it: a DELETEALL, the line segments along rows
+/// For rviz, intermediate results as in Figure 4 of the paper: a DELETEALL, the line segments along rows
 /// ("rows") and columns ("columns") of the image, and the candidates' normals ("candidates").
 /// @param segments, candidates  of this frame
 visualization_msgs::MarkerArray::Ptr scanlineMarkers(const SegmentedFrame& frame,
