@@ -50,7 +50,15 @@ bool getAs(const ros::NodeHandle& nh, const std::string& name, T& value) {
   return nh.getParam(name, value);
 }
 
+// A method has a name, as in the tools, or the number that dynamic_reconfigure gives it.
 bool getAs(const ros::NodeHandle& nh, const std::string& name, Method& value) {
+  std::string method_name;
+  if (nh.getParam(name, method_name)) {
+    Parameters named;
+    if (!setParameter(name, method_name, named).empty()) return false;
+    value = named.method;
+    return true;
+  }
   int number = 0;
   if (!nh.getParam(name, number)) return false;
   value = static_cast<Method>(number);
@@ -66,10 +74,15 @@ void setAs(const ros::NodeHandle& nh, const std::string& name, const Method& val
   nh.setParam(name, static_cast<int>(value));
 }
 
+std::string wantedFor(bool) { return "true or false"; }
+std::string wantedFor(int) { return "a whole number"; }
+std::string wantedFor(double) { return "a number"; }
+std::string wantedFor(Method) { return "adaptive or paper"; }
+
 template <typename T>
 std::string problemWith(const ros::NodeHandle& nh, const std::string& name, T value, T min, T max) {
   if (!nh.hasParam(name)) return {};
-  if (!getAs(nh, name, value)) return "~" + name + " has the wrong type; ";
+  if (!getAs(nh, name, value)) return "~" + name + " must be " + wantedFor(value) + "; ";
   // Not "outside", which a NaN is not.
   if (value >= min && value <= max) return {};
   std::ostringstream problem;
@@ -80,7 +93,7 @@ std::string problemWith(const ros::NodeHandle& nh, const std::string& name, T va
 
 std::string problemWithText(const ros::NodeHandle& nh, const std::string& name) {
   std::string value;
-  return !nh.hasParam(name) || nh.getParam(name, value) ? "" : "~" + name + " has to be a text; ";
+  return !nh.hasParam(name) || nh.getParam(name, value) ? "" : "~" + name + " must be a text; ";
 }
 
 void cutSlash(const std::string& name, std::string& frame, std::vector<std::string>& changes) {
@@ -203,6 +216,11 @@ void checkParameterServer(const ros::NodeHandle& private_nh) {
 }
 
 std::string spreadPreset(const ros::NodeHandle& private_nh) {
+  // dynamic_reconfigure reads a number alone.
+  Method method{};
+  if (private_nh.hasParam("method") && getAs(private_nh, "method", method)) {
+    setAs(private_nh, "method", method);
+  }
   std::string name = private_nh.param<std::string>("preset", kPresets[0]);
   Parameters preset;
   if (name == kPresets[0] || !loadPreset(name, preset)) return name;

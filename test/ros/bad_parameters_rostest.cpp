@@ -15,8 +15,10 @@ TEST(BadParameters, areNamedInTheDiagnostics) {
   const Diagnostics diagnostics;
   ASSERT_TRUE(diagnostics.waitForStatus(diagnostic_msgs::DiagnosticStatus::ERROR, ""));
   const std::string message = diagnostics.newest().message;
-  for (const char* name : {"~plane_distance", "~max_range", "~trace_outlines"}) {
-    EXPECT_NE(std::string::npos, message.find(name)) << name << " is not in: " << message;
+  for (const char* complaint : {"~plane_distance = nan is not within", "~max_range = -3 is not within",
+                                "~trace_outlines must be true or false", "~method must be adaptive or paper",
+                                "~min_patches must be a whole number", "~target_frame must be a text"}) {
+    EXPECT_NE(std::string::npos, message.find(complaint)) << complaint << " is not in: " << message;
   }
   EXPECT_EQ(std::string::npos, message.find("~noise_floor")) << message;
 

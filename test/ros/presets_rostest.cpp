@@ -36,6 +36,7 @@ TEST_F(Presets, fillInWhatNobodySet) {
   EXPECT_EQ(preset.noise.floor, config_.noise_floor);
   EXPECT_EQ(preset.scanlines.min_range, config_.min_range);
   EXPECT_EQ(0, config_.min_plane_inliers);
+  EXPECT_EQ(static_cast<int>(Method::kPaper), config_.method) << "set by its name";
   EXPECT_EQ("custom", config_.preset);
 }
 

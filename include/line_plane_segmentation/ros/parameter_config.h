@@ -55,7 +55,9 @@ NodeletParameters reconfigured(const NodeletParameters& current, PlaneSegmenterC
 /// @throw std::invalid_argument that names each one of the wrong type or outside its bounds
 void checkParameterServer(const ros::NodeHandle& private_nh);
 
-/// Where the preset that somebody set differs from the defaults, sets the parameters that nobody set.
+/// Completes the parameter server for dynamic_reconfigure: replaces the name of a method by its number and,
+/// if the preset is not the default, sets the preset's parameters that are not set yet.
+/// @pre checkParameterServer() has not thrown
 /// @return the preset's name
 std::string spreadPreset(const ros::NodeHandle& private_nh);
 
