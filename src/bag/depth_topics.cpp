@@ -10,12 +10,18 @@ namespace {
 
 constexpr char kImageType[] = "sensor_msgs/Image";
 constexpr char kInfoType[] = "sensor_msgs/CameraInfo";
-constexpr std::size_t kWaiting = 10;  // the nodelet's default queue_size
+constexpr std::size_t kWaitingImages = 10;  // the nodelet's default queue_size
 
 // "/camera/depth" of "/camera/depth/image_raw", "" of "/image".
 std::string parentOf(const std::string& topic) {
   const std::size_t slash = topic.rfind('/');
   return slash == std::string::npos ? std::string() : topic.substr(0, slash);
+}
+
+// A label image of this tool or of the nodelet: 16UC1 as well, but no depth.
+bool isLabelsTopic(const std::string& topic) {
+  const std::string end = "/plane_segmenter/labels";
+  return topic.size() >= end.size() && topic.compare(topic.size() - end.size(), end.size(), end) == 0;
 }
 
 bool isDepthEncoding(const std::string& encoding) {
@@ -63,7 +69,7 @@ void DepthTopics::addInfo(const BagMessage& message, std::deque<BagFrame>& frame
   const sensor_msgs::CameraInfoConstPtr info = message.content->instantiate<sensor_msgs::CameraInfo>();
   std::deque<sensor_msgs::CameraInfoConstPtr>& early = early_infos_[message.topic];
   early.push_back(info);
-  if (early.size() > kWaiting) early.pop_front();
+  if (early.size() > StampPairing::kMaxInfos) early.pop_front();
   for (DepthTopic& topic : topics_) {
     if (topic.info != message.topic) continue;
     BagFrame frame{&topic, {}, message.time};
@@ -74,7 +80,7 @@ void DepthTopics::addInfo(const BagMessage& message, std::deque<BagFrame>& frame
 DepthTopic* DepthTopics::findOrPick(const std::string& topic, const std::string& encoding) {
   const auto known = by_image_.find(topic);
   if (known != by_image_.end()) return known->second;
-  if (named_.empty() && !isDepthEncoding(encoding)) {
+  if (named_.empty() && (!isDepthEncoding(encoding) || isLabelsTopic(topic))) {
     others_.insert(topic + " (" + encoding + ")");
     return by_image_[topic] = nullptr;
   }
@@ -83,7 +89,8 @@ DepthTopic* DepthTopics::findOrPick(const std::string& topic, const std::string&
     return other.result_namespace == result_namespace;
   });
   if (taken) result_namespace = topic + "/plane_segmenter";
-  topics_.push_back({topic, infoTopicOf(topic), result_namespace, StampPairing(kWaiting), 0, 0, 0, 0, {}});
+  topics_.push_back(
+      {topic, infoTopicOf(topic), result_namespace, StampPairing(kWaitingImages), 0, 0, 0, 0, {}});
   // What came before the first image is not lost for it.
   CameraFrame none;
   for (const auto& info : early_infos_[topics_.back().info]) topics_.back().pairing.add(info, none);

@@ -37,8 +37,9 @@ struct BagFrame {
 /// Picks the depth topics of a bag and pairs their images with camera_info, as the nodelet does.
 class DepthTopics {
  public:
-  /// @param named  the topics to take; none: all whose first image is 16UC1 or 32FC1. mono16, which infrared
-  ///               images are, too, is taken for depth only where it is named.
+  /// @param named  the topics to take; none: all whose first image is 16UC1 or 32FC1, except a segmenter's
+  /// labels.
+  ///               mono16, which infrared images are, too, is taken for depth only where it is named.
   explicit DepthTopics(std::vector<std::string> named) : named_(std::move(named)) {}
 
   /// If messages of this kind are of use to add().

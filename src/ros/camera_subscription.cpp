@@ -18,7 +18,7 @@ CameraSubscription::CameraSubscription(const ros::NodeHandle& nh, const ros::Nod
       handler_(std::move(handler)),
       pairing_(queue_size_) {
   topics_.image = nh.resolveName("depth/image_rect");
-  topics_.info = image_transport::getCameraInfoTopic(topics_.image);
+  topics_.info = nh.resolveName(image_transport::getCameraInfoTopic(topics_.image));
 }
 
 void CameraSubscription::subscribe() {

@@ -14,12 +14,15 @@ namespace line_plane_segmentation {
 class CameraSubscription : public InputSource {
  public:
   /// Subscribes nothing yet.
-  /// @param queue_size  messages that may wait, in the transport and for their other half
+  /// @param queue_size  messages that may wait in the transport, and images that may wait for their
+  /// camera_info
   CameraSubscription(const ros::NodeHandle& nh, const ros::NodeHandle& private_nh, int queue_size,
                      Handler handler);
 
   void subscribe() override;
   void unsubscribe() override;
+  std::uint64_t lostImages() const override { return pairing_.lostImages(); }
+  std::uint64_t lateInfos() const override { return pairing_.lateInfos(); }
 
  private:
   void onImage(const sensor_msgs::ImageConstPtr& image);

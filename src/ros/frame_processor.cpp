@@ -16,11 +16,12 @@ constexpr std::chrono::seconds kUnknownForGood(1);
 }  // namespace
 
 FrameProcessor::FrameProcessor(const std::string& name, const InputLimits& limits, std::size_t queue_size,
-                               const Outputs& outputs, tf2::BufferCore& transforms)
+                               const Outputs& outputs, TransformListener& transforms)
     : outputs_(outputs),
+      transforms_(transforms),
       advice_(name),
       segmenter_(limits),
-      locator_(transforms),
+      locator_(transforms.buffer()),
       worker_(
           queue_size, [this](const CameraFrame& frame) { process(frame); },
           [this](const std::string& problem) {
@@ -64,14 +65,22 @@ bool FrameProcessor::mayCome(const CameraPlaces& places) {
   return may_come;
 }
 
-// Transforms are often a little later than the image that they belong to. It waits for them here, where
-// nobody else is kept waiting, by a clock that goes on whatever ROS's time does, and counted from its
-// arrival: frames behind it wait at the same time, so that none of them is lost.
+// The patience counts from the frame's arrival: the frames behind it wait at the same time, so that none of
+// them is lost. Until the connection to tf is established frames wait longer, as long as the queue takes
+// them.
+bool FrameProcessor::mayWait(const CameraFrame& frame) {
+  const FrameQueue& queue = worker_.queue();
+  if (queue.closed()) return false;
+  const std::chrono::duration<double> patience(locator_.parameters().frames.tf_patience);
+  return Clock::now() - frame.arrived < patience || (transforms_.isNew() && !queue.nearlyFull());
+}
+
+// Transforms often arrive a little later than the image that they belong to. This thread waits for them,
+// since no callback may, by a clock that does not depend on ROS time.
 CameraPlaces FrameProcessor::findPlaces(const CameraFrame& frame) {
   constexpr std::chrono::milliseconds kPause(2);
-  const std::chrono::duration<double> patience(locator_.parameters().frames.tf_patience);
   CameraPlaces places = locator_.lookUp(segmenter_.header());
-  while (mayCome(places) && Clock::now() - frame.arrived < patience && !worker_.queue().closed()) {
+  while (mayCome(places) && mayWait(frame)) {
     std::this_thread::sleep_for(kPause);
     places = locator_.lookUp(segmenter_.header());
   }
@@ -119,8 +128,8 @@ void FrameProcessor::process(const CameraFrame& frame) {
   }
   const std::chrono::duration<double, std::milli> output_time =
       std::chrono::steady_clock::now() - outputs_started;
-  statistics_.processed(segmentation, segmenter_.clock(), output_time.count(), segmenter_.header().frame_id,
-                        delayOf(segmenter_.header().stamp, ros::Time::now()));
+  statistics_.processed(segmentation, published.planes.size(), segmenter_.clock(), output_time.count(),
+                        segmenter_.header().frame_id, delayOf(segmenter_.header().stamp, ros::Time::now()));
 }
 
 }  // namespace line_plane_segmentation

@@ -14,6 +14,7 @@
 #include "line_plane_segmentation/ros/parameter_config.h"
 #include "outputs.h"
 #include "plane_locator.h"
+#include "transform_listener.h"
 
 namespace line_plane_segmentation {
 
@@ -24,9 +25,9 @@ class FrameProcessor {
   /// @param name        of the nodelet, for the log
   /// @param queue_size  frames that may wait
   /// @param outputs     must outlive this
-  /// @param transforms  what tf knows; must outlive this
+  /// @param transforms  must outlive this
   FrameProcessor(const std::string& name, const InputLimits& limits, std::size_t queue_size,
-                 const Outputs& outputs, tf2::BufferCore& transforms);
+                 const Outputs& outputs, TransformListener& transforms);
 
   /// Takes effect, all at once, with the next frame that is begun. Never waits for a frame.
   void setParameters(const NodeletParameters& parameters);
@@ -39,10 +40,12 @@ class FrameProcessor {
   void applyParameters();
   CameraPlaces findPlaces(const CameraFrame& frame);
   bool mayCome(const CameraPlaces& places);
+  bool mayWait(const CameraFrame& frame);
   void adviseOnPlaces(const CameraPlaces& places);
   void refuse(Refusal refusal, const std::string& explanation);
 
   const Outputs& outputs_;
+  const TransformListener& transforms_;
   FrameStatistics statistics_;
 
   std::mutex parameters_mutex_;

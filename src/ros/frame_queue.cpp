@@ -47,6 +47,11 @@ bool FrameQueue::closed() const {
   return closed_;
 }
 
+bool FrameQueue::nearlyFull() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return frames_.size() + 1 >= capacity_;
+}
+
 std::uint64_t FrameQueue::dropped() const {
   const std::lock_guard<std::mutex> lock(mutex_);
   return dropped_;

@@ -35,6 +35,9 @@ class FrameQueue {
   void close();
   bool closed() const;
 
+  /// Whether the next frame, or the one after it, would overflow the queue.
+  bool nearlyFull() const;
+
   /// Frames dropped since the beginning.
   std::uint64_t dropped() const;
 

@@ -15,9 +15,9 @@ std::optional<double> delayOf(const ros::Time& stamp, const ros::Time& now) {
   return delay;
 }
 
-void FrameStatistics::processed(const Segmentation& segmentation, const StageClock& clock,
-                                double output_milliseconds, const std::string& frame_id,
-                                const std::optional<double>& delay) {
+void FrameStatistics::processed(const Segmentation& segmentation, std::size_t published_planes,
+                                const StageClock& clock, double output_milliseconds,
+                                const std::string& frame_id, const std::optional<double>& delay) {
   const double pixels = std::max(1.0, static_cast<double>(segmentation.labels.size()));
   const double milliseconds = clock.totalMilliseconds() + output_milliseconds;
 
@@ -25,6 +25,7 @@ void FrameStatistics::processed(const Segmentation& segmentation, const StageClo
   ++sums_.frames;
   ++sums_.total_frames;
   sums_.planes += static_cast<double>(segmentation.planes.size());
+  sums_.published_planes += static_cast<double>(published_planes);
   sums_.valid_share += segmentation.valid_pixels / pixels;
   sums_.milliseconds += milliseconds;
   sums_.max_milliseconds = std::max(sums_.max_milliseconds, milliseconds);
@@ -66,6 +67,7 @@ FrameReport FrameStatistics::take() {
 
   const double frames = std::max(1.0, static_cast<double>(report.frames));
   report.planes /= frames;
+  report.published_planes /= frames;
   report.valid_share /= frames;
   report.milliseconds /= frames;
   for (double& stage : report.stage_milliseconds) stage /= frames;
@@ -73,7 +75,7 @@ FrameReport FrameStatistics::take() {
   report.delay /= std::max(1.0, static_cast<double>(report.delays));
 
   sums_.frames = 0;
-  sums_.planes = sums_.valid_share = 0.0;
+  sums_.planes = sums_.published_planes = sums_.valid_share = 0.0;
   sums_.milliseconds = sums_.max_milliseconds = sums_.output_milliseconds = 0.0;
   sums_.stage_milliseconds.fill(0.0);
   sums_.delays = 0;

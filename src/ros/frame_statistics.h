@@ -22,11 +22,12 @@ struct FrameReport {
   double seconds = 0.0;  ///< [s] length of the span
 
   // Of the span:
-  std::uint64_t frames = 0;                              ///< processed
-  double planes = 0.0;                                   ///< a frame
-  double valid_share = 0.0;                              ///< pixels with a depth in range, 0 to 1
-  double milliseconds = 0.0;                             ///< [ms] a frame, segmentation and outputs
-  double max_milliseconds = 0.0;                         ///< [ms] the slowest frame
+  std::uint64_t frames = 0;       ///< processed
+  double planes = 0.0;            ///< a frame
+  double published_planes = 0.0;  ///< a frame, those with an orientation that is published
+  double valid_share = 0.0;       ///< pixels with a depth in range, 0 to 1
+  double milliseconds = 0.0;      ///< [ms] a frame, segmentation and outputs
+  double max_milliseconds = 0.0;  ///< [ms] the slowest frame
   std::array<double, kStageCount> stage_milliseconds{};  ///< [ms] a frame
   double output_milliseconds = 0.0;                      ///< [ms] a frame, making and publishing messages
   std::uint64_t delays = 0;                              ///< frames whose delay is known
@@ -50,8 +51,9 @@ std::optional<double> delayOf(const ros::Time& stamp, const ros::Time& now);
 /// Counts frames: written by the thread that processes, read by the one that reports.
 class FrameStatistics {
  public:
-  void processed(const Segmentation& segmentation, const StageClock& clock, double output_milliseconds,
-                 const std::string& frame_id, const std::optional<double>& delay);
+  /// @param published_planes  number of the segmentation's planes that were published
+  void processed(const Segmentation& segmentation, std::size_t published_planes, const StageClock& clock,
+                 double output_milliseconds, const std::string& frame_id, const std::optional<double>& delay);
   void refused(Refusal refusal, const std::string& explanation, const std::string& frame_id);
   void failed(const std::string& problem);
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <chrono>
+#include <cstdint>
 #include <functional>
 #include <string>
 
@@ -39,6 +40,12 @@ class InputSource {
   bool subscribed() const { return times_.subscribed != InputTimes::TimePoint{}; }
   const InputTopics& topics() const { return topics_; }
   const InputTimes& times() const { return times_; }
+
+  /// Number of images that were discarded without a camera_info of their stamp.
+  virtual std::uint64_t lostImages() const { return 0; }
+
+  /// Number of them whose camera_info arrived later.
+  virtual std::uint64_t lateInfos() const { return 0; }
 
  protected:
   InputTopics topics_;

@@ -86,9 +86,9 @@ void PlaneSegmenterNodelet::start() {
 
   outputs_ = std::make_unique<Outputs>(
       private_nh, [this] { containExceptions(getName(), [this] { updateSubscription(); }); });
-  transforms_ = std::make_unique<TransformFeed>(nh);
+  transforms_ = std::make_unique<TransformListener>(nh);
   processor_ = std::make_unique<FrameProcessor>(getName(), limits, static_cast<std::size_t>(queue_size),
-                                                *outputs_, transforms_->buffer());
+                                                *outputs_, *transforms_);
   const InputSource::Handler push = [this](CameraFrame frame) { processor_->queue().push(std::move(frame)); };
   if (readsClouds(private_nh)) {
     subscription_ = std::make_unique<CloudSubscription>(nh, queue_size, push);
@@ -123,17 +123,14 @@ void PlaneSegmenterNodelet::updateSubscription() {
   if (subscription_->subscribed()) {
     subscription_->unsubscribe();
     processor_->queue().clear();
-    transforms_->setWanted(false);
     return;
   }
   try {
-    transforms_->setWanted(true);
     subscription_->subscribe();
     failure_.clear();
   } catch (const std::exception& exception) {
     // A transport that is not installed, most likely.
     subscription_->unsubscribe();
-    transforms_->setWanted(false);
     failure_ = exception.what();
     ROS_ERROR("[%s] cannot subscribe: %s", getName().c_str(), failure_.c_str());
   }
@@ -149,6 +146,10 @@ void PlaneSegmenterNodelet::reportStatus(diagnostic_updater::DiagnosticStatusWra
     status.input = subscription_->times();
     status.dropped = processor_->queue().dropped();
     status.newly_dropped = status.dropped - std::exchange(reported_dropped_, status.dropped);
+    status.lost = subscription_->lostImages();
+    status.newly_lost = status.lost - std::exchange(reported_lost_, status.lost);
+    const std::uint64_t late = subscription_->lateInfos();
+    status.newly_late = late - std::exchange(reported_late_, late);
     status.frames = processor_->statistics().take();
     // The updater's own would be late by one report.
     if (!status.frames.frame_id.empty()) diagnostics.hardware_id = status.frames.frame_id;

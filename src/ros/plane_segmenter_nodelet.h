@@ -15,7 +15,7 @@
 #include "input_source.h"
 #include "line_plane_segmentation/ros/parameter_config.h"
 #include "outputs.h"
-#include "transform_feed.h"
+#include "transform_listener.h"
 
 namespace line_plane_segmentation {
 
@@ -42,10 +42,12 @@ class PlaneSegmenterNodelet : public nodelet::Nodelet {
   std::string failure_;  // why the nodelet does not run; empty if it runs
   NodeletParameters parameters_;
   std::uint64_t reported_dropped_ = 0;
+  std::uint64_t reported_lost_ = 0;
+  std::uint64_t reported_late_ = 0;
 
   // Order matters: each member uses the ones above it.
   std::unique_ptr<Outputs> outputs_;
-  std::unique_ptr<TransformFeed> transforms_;
+  std::unique_ptr<TransformListener> transforms_;
   std::unique_ptr<FrameProcessor> processor_;
   std::unique_ptr<InputSource> subscription_;
   std::unique_ptr<dynamic_reconfigure::Server<PlaneSegmenterConfig>> reconfigure_server_;

@@ -17,18 +17,17 @@ MessagePtr take(std::deque<MessagePtr>& waiting, const ros::Time& stamp) {
   return message;
 }
 
-template <typename MessagePtr>
-void wait(std::deque<MessagePtr>& waiting, const MessagePtr& message, std::size_t capacity) {
-  waiting.push_back(message);
-  if (waiting.size() > capacity) waiting.pop_front();
-}
-
 }  // namespace
 
 bool StampPairing::add(const sensor_msgs::ImageConstPtr& image, CameraFrame& frame) {
   const auto info = take(infos_, image->header.stamp);
   if (!info) {
-    wait(images_, image, capacity_);
+    images_.push_back(image);
+    if (images_.size() <= max_images_) return false;
+    ++lost_images_;
+    lost_stamps_.push_back(images_.front()->header.stamp);
+    if (lost_stamps_.size() > kMaxInfos) lost_stamps_.pop_front();
+    images_.pop_front();
     return false;
   }
   frame = {image, info};
@@ -38,7 +37,13 @@ bool StampPairing::add(const sensor_msgs::ImageConstPtr& image, CameraFrame& fra
 bool StampPairing::add(const sensor_msgs::CameraInfoConstPtr& info, CameraFrame& frame) {
   const auto image = take(images_, info->header.stamp);
   if (!image) {
-    wait(infos_, info, capacity_);
+    const auto lost = std::find(lost_stamps_.begin(), lost_stamps_.end(), info->header.stamp);
+    if (lost != lost_stamps_.end()) {
+      ++late_infos_;
+      lost_stamps_.erase(lost);
+    }
+    infos_.push_back(info);
+    if (infos_.size() > kMaxInfos) infos_.pop_front();
     return false;
   }
   frame = {image, info};
@@ -48,6 +53,7 @@ bool StampPairing::add(const sensor_msgs::CameraInfoConstPtr& info, CameraFrame&
 void StampPairing::clear() {
   images_.clear();
   infos_.clear();
+  lost_stamps_.clear();
 }
 
 }  // namespace line_plane_segmentation

@@ -12,19 +12,26 @@ namespace {
 using diagnostic_msgs::DiagnosticStatus;
 using TimePoint = InputTimes::TimePoint;
 
-constexpr std::chrono::seconds kPatience(10);
+constexpr std::chrono::seconds kPatience(10);      // before missing input is a warning
+constexpr std::chrono::milliseconds kPause(1500);  // longer than between two images of any depth camera
 
 struct Summary {
   unsigned char level;
   std::string text;
 };
 
+std::string lateInfos(const NodeletStatus& status) {
+  return std::to_string(status.newly_late) + " images lost: camera_info on " + status.topics.info +
+         " arrives more than queue_size images after its image. Raise ~queue_size";
+}
+
 // What is missing between the subscription and a first or next pair of image and camera_info.
-std::string missingInput(const NodeletStatus& status, TimePoint now) {
-  const auto recent = [now](TimePoint time) { return time != TimePoint{} && now - time < kPatience; };
+std::string missingInput(const NodeletStatus& status, std::chrono::milliseconds patience, TimePoint now) {
+  const auto recent = [&](TimePoint time) { return time != TimePoint{} && now - time < patience; };
   if (!status.topics.cloud.empty()) return "waiting for point clouds on " + status.topics.cloud;
   if (!recent(status.input.image)) return "waiting for images on " + status.topics.image;
   if (!recent(status.input.info)) return "waiting for camera_info on " + status.topics.info;
+  if (status.newly_late > 0) return lateInfos(status);
   return "waiting for camera_info on " + status.topics.info + " with the stamp of an image on " +
          status.topics.image + ": none has one";
 }
@@ -37,7 +44,7 @@ Summary summarize(const NodeletStatus& status, TimePoint now) {
   const bool late = now - alive >= kPatience;
   if (late || status.input.frame == TimePoint{}) {
     const std::uint8_t level = late ? DiagnosticStatus::WARN : DiagnosticStatus::OK;
-    return {level, missingInput(status, now)};
+    return {level, missingInput(status, kPatience, now)};
   }
 
   const FrameReport& frames = status.frames;
@@ -53,8 +60,22 @@ Summary summarize(const NodeletStatus& status, TimePoint now) {
     return {DiagnosticStatus::WARN,
             "input is faster than processing: " + std::to_string(status.newly_dropped) + " frames dropped"};
   }
+  if (status.newly_late > 0) return {DiagnosticStatus::WARN, lateInfos(status)};
+  if (status.newly_lost > 0) {
+    return {DiagnosticStatus::WARN, std::to_string(status.newly_lost) + " images lost: no camera_info on " +
+                                        status.topics.info + " has their stamp"};
+  }
+  if (frames.frames == 0 && now - status.input.frame >= kPause) {
+    return {DiagnosticStatus::OK,
+            "segmenting, but no frame since the last report: " + missingInput(status, kPause, now)};
+  }
   if (frames.frames > 0 && frames.valid_share == 0.0) {
     return {DiagnosticStatus::WARN, "no pixel has a depth within min_range and max_range"};
+  }
+  if (frames.planes > 0.0 && frames.published_planes == 0.0) {
+    return {DiagnosticStatus::OK,
+            "segmenting, but all planes are left out of the outputs: see publish_horizontal_up "
+            "and its like, and gravity_frame"};
   }
   return {DiagnosticStatus::OK, "segmenting"};
 }
@@ -86,11 +107,13 @@ void report(const NodeletStatus& status, TimePoint now,
   diagnostics.add("frames processed", frames.total_frames);
   diagnostics.add("frames dropped", status.dropped);
   diagnostics.add("frames failed", frames.total_failed);
+  diagnostics.add("images without camera_info", status.lost);
   for (std::size_t i = 1; i < kRefusalCount; ++i) {
     diagnostics.add(std::string("frames refused: ") + nameOf(static_cast<Refusal>(i)),
                     frames.total_refused[i]);
   }
   diagnostics.addf("planes a frame", "%.2f", frames.planes);
+  diagnostics.addf("planes published a frame", "%.2f", frames.published_planes);
   diagnostics.addf("pixels with depth [%]", "%.1f", 100.0 * frames.valid_share);
   diagnostics.addf("time a frame [ms]", "%.2f", frames.milliseconds);
   diagnostics.addf("time of the slowest frame [ms]", "%.2f", frames.max_milliseconds);

@@ -19,6 +19,9 @@ struct NodeletStatus {
   InputTimes input;
   std::uint64_t dropped = 0;        ///< frames, since the beginning
   std::uint64_t newly_dropped = 0;  ///< frames, since the last report
+  std::uint64_t lost = 0;           ///< images without a camera_info of their stamp, since the beginning
+  std::uint64_t newly_lost = 0;     ///< the same, since the last report
+  std::uint64_t newly_late = 0;     ///< lost images whose camera_info came later, since the last report
   FrameReport frames;
 };
 

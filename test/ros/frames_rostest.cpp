@@ -8,6 +8,7 @@
 #include <tf2_ros/transform_broadcaster.h>
 
 #include <cmath>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -36,7 +37,7 @@ Eigen::Isometry3d cameraInWorld() {
 
 class Frames : public testing::Test {
  protected:
-  Frames() { EXPECT_TRUE(camera_.waitForSubscriber()); }
+  void SetUp() override { ASSERT_TRUE(camera_.waitForSubscriber()); }
 
   // Every frame of the tests has its own stamp.
   static ros::Time nextStamp() {
@@ -54,11 +55,11 @@ class Frames : public testing::Test {
   }
 
   // "still" never moves; its transform is latched.
-  void sendStaticTransform() {
-    geometry_msgs::TransformStamped message;
-    message.header.frame_id = "still";
-    message.child_frame_id = "world";
-    message.transform.rotation.w = 1.0;
+  void sendStaticTransform(const std::string& parent = "still", const std::string& child = "world",
+                           const Eigen::Isometry3d& pose = Eigen::Isometry3d::Identity()) {
+    geometry_msgs::TransformStamped message = tf2::eigenToTransform(pose);
+    message.header.frame_id = parent;
+    message.child_frame_id = child;
     static_broadcaster_.sendTransform(message);
   }
 
@@ -70,12 +71,12 @@ class Frames : public testing::Test {
       const ros::Time stamp = nextStamp();
       sendTransform(parent, stamp);
       publish(stamp);
-      return planes_.waitFor(stamp, 0.3) && isOriented();
+      return planes_->waitFor(stamp, 0.3) && isOriented();
     });
   }
 
   bool isOriented() const {
-    return !planes_.newest()->planes.empty() && planes_.newest()->planes[0].orientation != Plane::UNKNOWN;
+    return !planes_->newest()->planes.empty() && planes_->newest()->planes[0].orientation != Plane::UNKNOWN;
   }
 
   /// As the newest report says.
@@ -87,10 +88,20 @@ class Frames : public testing::Test {
     return refusedForTf();
   }
 
+  /// For tests about the time before anything subscribes to the planes.
+  void unsubscribe() {
+    planes_.reset();
+    ASSERT_TRUE(camera_.waitForIdle());
+  }
+  void subscribe() {
+    planes_.emplace("plane_segmenter/planes");
+    ASSERT_TRUE(camera_.waitForSubscriber());
+  }
+
   TestCamera camera_;
   tf2_ros::TransformBroadcaster broadcaster_;
   tf2_ros::StaticTransformBroadcaster static_broadcaster_;
-  Inbox<PlaneArray> planes_{"plane_segmenter/planes"};
+  std::optional<Inbox<PlaneArray>> planes_{"plane_segmenter/planes"};
   Diagnostics diagnostics_;
   sensor_msgs::Image image_ = imageOfPlane(kWidth, kHeight, "16UC1", kFloorNormal, kHeightAboveFloor);
   sensor_msgs::CameraInfo info_ = testInfo(kWidth, kHeight);
@@ -100,8 +111,8 @@ TEST_F(Frames, givesAFloorInTheWorld) {
   const Inbox<sensor_msgs::PointCloud2> cloud("plane_segmenter/cloud");
   reconfigure([](PlaneSegmenterConfig& config) { config.target_frame = config.gravity_frame = "world"; });
   ASSERT_TRUE(answersSoon("world"));
-  EXPECT_EQ("world", planes_.newest()->header.frame_id);
-  const Plane& floor = planes_.newest()->planes.at(0);
+  EXPECT_EQ("world", planes_->newest()->header.frame_id);
+  const Plane& floor = planes_->newest()->planes.at(0);
   EXPECT_GT(floor.coefficients.coef[2], std::cos(0.5 * M_PI / 180.0));
   EXPECT_NEAR(0.0, floor.centroid.z, 0.01);
   EXPECT_GT(floor.centroid.x, 5.0) << "ahead of the camera";
@@ -118,32 +129,32 @@ TEST_F(Frames, leavesOutWhatIsNotWanted) {
   };
   reconfigure([](PlaneSegmenterConfig& config) { config.gravity_frame = "world"; });
   ASSERT_TRUE(answersSoon("world"));
-  EXPECT_EQ(kCameraFrame, planes_.newest()->header.frame_id);
+  EXPECT_EQ(kCameraFrame, planes_->newest()->header.frame_id);
   reconfigure(onlyWalls);
   const ros::Time stamp = nextStamp();
   sendTransform("world", stamp);
   publish(stamp);
-  ASSERT_TRUE(planes_.waitFor(stamp));
-  EXPECT_TRUE(planes_.newest()->planes.empty());
-  EXPECT_GT(planes_.newest()->valid_pixels, 0U);
+  ASSERT_TRUE(planes_->waitFor(stamp));
+  EXPECT_TRUE(planes_->newest()->planes.empty());
+  EXPECT_GT(planes_->newest()->valid_pixels, 0U);
 }
 
 TEST_F(Frames, refusesWhatItCannotPlaceAndNeverBlocks) {
   reconfigure([](PlaneSegmenterConfig& config) { config.target_frame = "nowhere"; });
   const int refused = refusedUntilNow();
-  const int answers = planes_.count();
+  const int answers = planes_->count();
   for (int i = 0; i < 20; ++i) {
     publish(nextStamp());
     spinFor(1.0 / 30.0);
   }
   EXPECT_TRUE(waitUntil([&] { return refusedForTf() == refused + 20; })) << refusedForTf() - refused;
-  EXPECT_EQ(answers, planes_.count());
+  EXPECT_EQ(answers, planes_->count());
 
   reconfigure([](PlaneSegmenterConfig&) {});
   const ros::Time stamp = nextStamp();
   publish(stamp);
-  ASSERT_TRUE(planes_.waitFor(stamp, 1.0));
-  EXPECT_EQ(1U, planes_.newest()->planes.size());
+  ASSERT_TRUE(planes_->waitFor(stamp, 1.0));
+  EXPECT_EQ(1U, planes_->newest()->planes.size());
 }
 
 TEST_F(Frames, goesOnWithoutGravity) {
@@ -155,10 +166,45 @@ TEST_F(Frames, goesOnWithoutGravity) {
     const ros::Time stamp = nextStamp();
     publish(stamp);
     // What is unknown for a second is not waited for any more.
-    ASSERT_TRUE(planes_.waitFor(stamp, i == 0 ? 2.0 : 0.5)) << i;
-    ASSERT_EQ(1U, planes_.newest()->planes.size());
-    EXPECT_EQ(Plane::UNKNOWN, planes_.newest()->planes[0].orientation);
+    ASSERT_TRUE(planes_->waitFor(stamp, i == 0 ? 2.0 : 0.5)) << i;
+    ASSERT_EQ(1U, planes_->newest()->planes.size());
+    EXPECT_EQ(Plane::UNKNOWN, planes_->newest()->planes[0].orientation);
   }
+}
+
+// As by rospy.wait_for_message: the transforms are there before the subscriber.
+TEST_F(Frames, orientsTheFirstPlanesOfASubscriber) {
+  sendStaticTransform();
+  reconfigure([](PlaneSegmenterConfig& config) {
+    config.gravity_frame = "still";
+    config.publish_unknown = false;
+  });
+  for (int i = 0; i < 3; ++i) {
+    unsubscribe();
+    spinFor(i == 0 ? 1.0 : 0.1);
+    ros::Time stamp = nextStamp();
+    sendTransform("world", stamp);
+    spinFor(0.1);
+    subscribe();
+    publish(stamp);
+    ASSERT_TRUE(planes_->waitFor(stamp)) << i;
+    ASSERT_EQ(1, planes_->count());
+    EXPECT_TRUE(isOriented()) << i;
+  }
+}
+
+// A static transform, which is latched, arrives some tenths of a second after the listener starts.
+TEST_F(Frames, waitsForStaticTransformsOnce) {
+  sendStaticTransform("still", "mounted_camera", cameraInWorld());
+  image_.header.frame_id = "mounted_camera";
+  reconfigure([](PlaneSegmenterConfig& config) {
+    config.gravity_frame = "still";
+    config.tf_patience = 0.0;
+  });
+  const ros::Time stamp = nextStamp();
+  publish(stamp);
+  ASSERT_TRUE(planes_->waitFor(stamp));
+  EXPECT_TRUE(isOriented());
 }
 
 // Most transforms come a little after the image that they belong to.
@@ -172,12 +218,12 @@ TEST_F(Frames, waitsALittleForLateTransformsAndNotForever) {
   for (int i = 0; i < 3; ++i) {
     const ros::Time stamp = nextStamp();
     publish(stamp);
-    EXPECT_FALSE(planes_.waitFor(stamp, 0.1));
+    EXPECT_FALSE(planes_->waitFor(stamp, 0.1));
     sendTransform("world", stamp);
-    EXPECT_TRUE(planes_.waitFor(stamp)) << i;
+    EXPECT_TRUE(planes_->waitFor(stamp)) << i;
   }
   const int refused = refusedUntilNow();
-  const int answers = planes_.count();
+  const int answers = planes_->count();
   // As they come at 30 Hz: one after the other these would wait for five seconds.
   for (int i = 0; i < 10; ++i) {
     publish(nextStamp());
@@ -187,8 +233,8 @@ TEST_F(Frames, waitsALittleForLateTransformsAndNotForever) {
   const ros::Time stamp = nextStamp();
   sendTransform("world", stamp);
   publish(stamp);
-  EXPECT_TRUE(planes_.waitFor(stamp, 0.5));
-  EXPECT_EQ(answers + 1, planes_.count());
+  EXPECT_TRUE(planes_->waitFor(stamp, 0.5));
+  EXPECT_EQ(answers + 1, planes_->count());
   EXPECT_TRUE(waitUntil([&] { return refusedForTf() == refused + 10; })) << refusedForTf() - refused;
 }
 
@@ -202,9 +248,9 @@ TEST_F(Frames, waitsWhereTimeHasGoneBack) {
   for (const double seconds : {500.0, 300.0}) {
     const ros::Time stamp(seconds);
     publish(stamp);
-    EXPECT_FALSE(planes_.waitFor(stamp, 0.1));
+    EXPECT_FALSE(planes_->waitFor(stamp, 0.1));
     sendTransform("world", stamp);
-    EXPECT_TRUE(planes_.waitFor(stamp)) << seconds;
+    EXPECT_TRUE(planes_->waitFor(stamp)) << seconds;
   }
 }
 
@@ -223,11 +269,11 @@ TEST_F(Frames, goesOnWhenABagBeginsAgain) {
       // After its transform, whatever way the two take.
       spinFor(0.03);
       publish(stamp);
-      if (!planes_.waitFor(stamp, i == 0 ? 0.5 : 5.0)) continue;
-      ASSERT_EQ(1U, planes_.newest()->planes.size());
-      EXPECT_EQ("still", planes_.newest()->header.frame_id);
-      EXPECT_EQ(Plane::HORIZONTAL_UP, planes_.newest()->planes[0].orientation);
-      ids[static_cast<std::size_t>(loop)].push_back(planes_.newest()->planes[0].id);
+      if (!planes_->waitFor(stamp, i == 0 ? 0.5 : 5.0)) continue;
+      ASSERT_EQ(1U, planes_->newest()->planes.size());
+      EXPECT_EQ("still", planes_->newest()->header.frame_id);
+      EXPECT_EQ(Plane::HORIZONTAL_UP, planes_->newest()->planes[0].orientation);
+      ids[static_cast<std::size_t>(loop)].push_back(planes_->newest()->planes[0].id);
     }
     EXPECT_GE(ids[static_cast<std::size_t>(loop)].size(), 20U) << "recovers within one frame";
     for (const std::uint32_t id : ids[static_cast<std::size_t>(loop)]) EXPECT_EQ(1U, id);

@@ -74,6 +74,31 @@ TEST(StampPairing, letsTheLongestWaitingGo) {
   EXPECT_TRUE(pairing.add(infoAt(3.0), frame));
 }
 
+// A slow network: the images arrive long after their camera_info.
+TEST(StampPairing, keepsCameraInfosForLateImages) {
+  StampPairing pairing(2);
+  CameraFrame frame;
+  constexpr int kLag = StampPairing::kMaxInfos - 1;
+  for (int i = 0; i < 3 * kLag; ++i) {
+    pairing.add(infoAt(1.0 + i), frame);
+    if (i >= kLag) EXPECT_TRUE(pairing.add(imageAt(1.0 + i - kLag), frame)) << i;
+  }
+  EXPECT_EQ(0U, pairing.lostImages());
+}
+
+TEST(StampPairing, countsLostImages) {
+  StampPairing pairing(2);
+  CameraFrame frame;
+  for (const double stamp : {1.0, 2.0, 3.0, 4.0}) pairing.add(imageAt(stamp), frame);
+  EXPECT_EQ(2U, pairing.lostImages());
+  EXPECT_EQ(0U, pairing.lateInfos());
+  EXPECT_FALSE(pairing.add(infoAt(2.0), frame));
+  EXPECT_EQ(1U, pairing.lateInfos());
+  EXPECT_TRUE(pairing.add(imageAt(2.0), frame)) << "it comes again in a bag's second loop";
+  pairing.clear();
+  EXPECT_EQ(2U, pairing.lostImages()) << "what is cleared is not lost";
+}
+
 // A bag that starts again: messages that wait with later stamps must not keep the earlier ones out.
 TEST(StampPairing, goesOnWhenStampsGoBack) {
   StampPairing pairing(3);

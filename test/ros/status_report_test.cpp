@@ -27,7 +27,7 @@ NodeletStatus statusOfWorkingNodelet() {
   status.input.image = status.input.info = status.input.frame = kNow - milliseconds(30);
   status.frames.seconds = 2.0;
   status.frames.frames = status.frames.total_frames = 60;
-  status.frames.planes = 4.0;
+  status.frames.planes = status.frames.published_planes = 4.0;
   status.frames.valid_share = 0.9;
   return status;
 }
@@ -101,6 +101,41 @@ TEST(StatusReport, inputEnds) {
   expectStatus(status, DiagnosticStatus::OK, "segmenting");
   status.input.image = status.input.info = status.input.frame = kNow - seconds(11);
   expectStatus(status, DiagnosticStatus::WARN, "waiting for images");
+}
+
+// A camera that was unplugged a moment ago.
+TEST(StatusReport, inputPauses) {
+  NodeletStatus status = statusOfWorkingNodelet();
+  status.frames = FrameReport{};
+  expectStatus(status, DiagnosticStatus::OK, "segmenting");
+  status.input.image = status.input.info = status.input.frame = kNow - seconds(3);
+  expectStatus(status, DiagnosticStatus::OK,
+               "no frame since the last report: waiting for images on /camera/depth/image_rect");
+  status.input.image = kNow;
+  expectStatus(status, DiagnosticStatus::OK,
+               "no frame since the last report: waiting for camera_info on /camera/depth/camera_info");
+}
+
+TEST(StatusReport, filtersLeaveNothing) {
+  NodeletStatus status = statusOfWorkingNodelet();
+  status.frames.published_planes = 0.0;
+  expectStatus(status, DiagnosticStatus::OK, "all planes are left out of the outputs");
+  EXPECT_EQ("4.00", valueOf(reportOf(status), "planes a frame"));
+  EXPECT_EQ("0.00", valueOf(reportOf(status), "planes published a frame"));
+}
+
+TEST(StatusReport, imagesWithoutCameraInfo) {
+  NodeletStatus status = statusOfWorkingNodelet();
+  status.lost = 7;
+  expectStatus(status, DiagnosticStatus::OK, "segmenting");
+  EXPECT_EQ("7", valueOf(reportOf(status), "images without camera_info"));
+  status.newly_lost = 5;
+  expectStatus(status, DiagnosticStatus::WARN,
+               "5 images lost: no camera_info on /camera/depth/camera_info has their stamp");
+  status.newly_late = 4;
+  expectStatus(status, DiagnosticStatus::WARN, "Raise ~queue_size");
+  status.input.frame = InputTimes::TimePoint{};
+  expectStatus(status, DiagnosticStatus::WARN, "Raise ~queue_size");
 }
 
 TEST(StatusReport, refusals) {
@@ -182,16 +217,17 @@ TEST(FrameStatistics, makesMeansOfTheTimeSinceTheLastReport) {
   segmentation.planes.resize(2);
   segmentation.valid_pixels = 5;
   const StageClock clock;
-  statistics.processed(segmentation, clock, 1.0, "camera", 0.5);
+  statistics.processed(segmentation, 2, clock, 1.0, "camera", 0.5);
   segmentation.planes.resize(3);
   segmentation.valid_pixels = 10;
-  statistics.processed(segmentation, clock, 3.0, "camera", -0.1);
-  statistics.processed(segmentation, clock, 2.0, "camera", std::nullopt);
+  statistics.processed(segmentation, 1, clock, 3.0, "camera", -0.1);
+  statistics.processed(segmentation, 3, clock, 2.0, "camera", std::nullopt);
   statistics.refused(Refusal::kEncoding, "no depth image", "camera");
 
   FrameReport report = statistics.take();
   EXPECT_EQ(3U, report.frames);
   EXPECT_EQ(8.0 / 3.0, report.planes);
+  EXPECT_EQ(2.0, report.published_planes);
   EXPECT_EQ(2.5 / 3.0, report.valid_share);
   EXPECT_EQ(2.0, report.milliseconds);
   EXPECT_EQ(3.0, report.max_milliseconds);
