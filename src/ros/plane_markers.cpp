@@ -10,6 +10,7 @@
 #include "label_anchor.h"
 #include "line_plane_segmentation/ros/conversions.h"
 #include "marker_tools.h"
+#include "text_layout.h"
 
 namespace line_plane_segmentation {
 namespace {
@@ -77,16 +78,17 @@ std::string textOf(const PublishedPlane& published) {
   return text;
 }
 
-double textHeight(const SegmentedPlane& plane) {
-  return std::clamp(0.09 * std::sqrt(plane.area), 0.05, 0.12);
+// Grows with the plane, and with the distance, so that it is legible on a wall as well as on a table.
+double textHeight(const SegmentedPlane& plane, double distance) {
+  return std::clamp(0.09 * std::sqrt(plane.area), 0.02 * distance, 0.04 * distance);
 }
 
 // From the foot of the arrow to the middle of the text: below the arrow, and so far before the plane that no
 // corner of the text sinks into it, both as the camera sees it. rviz turns texts to its viewer, who looks
 // about the same way.
-Eigen::Vector3d textOffset(const SegmentedFrame& frame, const SegmentedPlane& plane) {
-  const double half_height = 1.2 * textHeight(plane);  // of two lines
-  const double half_width = 4.0 * textHeight(plane);
+Eigen::Vector3d textOffset(const SegmentedFrame& frame, const SegmentedPlane& plane, double height) {
+  const double half_height = 1.2 * height;  // of two lines
+  const double half_width = 4.0 * height;
   constexpr double kGap = 0.03;                                     // [m]
   constexpr double kAbout = 0.35;                                   // [rad]
   const Eigen::Matrix3d axes = frame.published.placement.linear();  // of the image: right, down, ahead
@@ -97,12 +99,20 @@ Eigen::Vector3d textOffset(const SegmentedFrame& frame, const SegmentedPlane& pl
   return 1.3 * half_height * below + (sinks + kGap) * plane.normal;
 }
 
-Marker textMarker(const SegmentedFrame& frame, const PublishedPlane& published, const Eigen::Vector3d& foot) {
+// The id alone where the whole text would cover a larger plane's; an empty text where that would, too.
+Marker textMarker(const SegmentedFrame& frame, const PublishedPlane& published, const Eigen::Vector3d& foot,
+                  TextLayout& layout) {
+  const Eigen::Isometry3d optical_from_published = frame.published.placement.inverse();
   Marker marker = makeMarker(frame.published.header, "ids", published.id, Marker::TEXT_VIEW_FACING);
   marker.color = toRgba({255, 255, 255});
-  marker.scale.z = textHeight(published.plane);
-  marker.text = textOf(published);
-  marker.pose.position = pointOf((foot + textOffset(frame, published.plane)).eval());
+  marker.scale.z = textHeight(published.plane, (optical_from_published * foot).norm());
+  const Eigen::Vector3d position = foot + textOffset(frame, published.plane, marker.scale.z);
+  marker.pose.position = pointOf(position);
+  for (const std::string& text : {textOf(published), std::to_string(published.id)}) {
+    if (!layout.reserve(optical_from_published * position, marker.scale.z, text)) continue;
+    marker.text = text;
+    break;
+  }
   return marker;
 }
 
@@ -112,12 +122,14 @@ visualization_msgs::MarkerArray::Ptr planeMarkers(const SegmentedFrame& frame) {
   const std_msgs::Header& header = frame.published.header;
   visualization_msgs::MarkerArray::Ptr message = makeMarkerArray(header);
   const std::vector<LabelAnchor> anchors = labelAnchors(frame.segmentation);
+  TextLayout layout(frame.camera);
   for (const PublishedPlane& published : frame.published.planes) {
     const Eigen::Vector3d foot = footOf(frame, published, anchors[published.plane.label - std::size_t{1}]);
     Marker outline = outlineMarker(frame, published);
     if (!outline.points.empty()) message->markers.push_back(std::move(outline));
     message->markers.push_back(normalMarker(header, published, foot));
-    message->markers.push_back(textMarker(frame, published, foot));
+    Marker text = textMarker(frame, published, foot, layout);
+    if (!text.text.empty()) message->markers.push_back(std::move(text));
   }
   return message;
 }
