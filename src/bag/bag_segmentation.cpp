@@ -56,6 +56,8 @@ class BagSegmentation {
     printSummary();
     const std::string damage = damageText();
     if (!damage.empty()) throw BadInput(task_.in.string() + ": " + damage + "; what could be read is done");
+    const std::string unknown_frames = unknownFrames();
+    if (!unknown_frames.empty()) throw BadInput(task_.in.string() + ": " + unknown_frames);
   }
 
  private:
@@ -110,6 +112,8 @@ class BagSegmentation {
     } else if (places = findPlaces(slot.frame, locator, segmenter.header()); !places.target.found()) {
       refuse(topic, "planes cannot be given in target_frame: " + places.target.problem);
     } else {
+      gravity_found_ = gravity_found_ || places.gravity.found();
+      fixed_found_ = fixed_found_ || places.fixed.found();
       const Segmentation& segmentation = segmenter.segmentation();
       writeMessages(slot,
                     segmenter.result(locator.locate(segmentation, input.camera, segmenter.header(), places)));
@@ -174,6 +178,19 @@ class BagSegmentation {
            " has a camera_info of its stamp on " + topic.info;
   }
 
+  // What was asked for in vain: a wrong name, most likely.
+  std::string unknownFrames() const {
+    const FrameParameters& frames = task_.location.frames;
+    const std::string hint = "': its transforms lead there for no image; all else is done";
+    if (!frames.gravity_frame.empty() && !gravity_found_) {
+      return "orientations are unknown in gravity_frame '" + frames.gravity_frame + hint;
+    }
+    if (!frames.fixed_frame.empty() && !fixed_found_) {
+      return "the camera's motion is unknown in fixed_frame '" + frames.fixed_frame + hint;
+    }
+    return {};
+  }
+
   std::string damageText() const {
     if (broken_messages_ == 0) return in_->damage();
     const std::string text = std::to_string(broken_messages_) + " broken messages (" + broken_ + ")";
@@ -201,6 +218,8 @@ class BagSegmentation {
   BagTransforms transforms_;
   ros::Time read_until_;
   std::map<const DepthTopic*, PlaneLocator> locators_;
+  bool gravity_found_ = false;
+  bool fixed_found_ = false;
   std::size_t done_ = 0;
   std::size_t broken_messages_ = 0;
   std::string broken_;

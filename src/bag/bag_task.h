@@ -34,7 +34,9 @@ struct BagTask {
 
 /// Segments the depth images of a bag into another one, which appears whole or not at all, and says on stdout
 /// what was done, on stderr how far it is.
-/// @throws BadInput if nothing could be done, or, once `out` is there, if a part of `in` could not be read
+/// @throws BadInput if nothing could be done, or, once `out` is there, if a part of `in` could not be read or
+/// none of
+///         its transforms lead to a frame of the parameters
 void segmentBag(const BagTask& task);
 
 }  // namespace line_plane_segmentation

@@ -3,6 +3,7 @@
 
 #include <cstdio>
 #include <nlohmann/json.hpp>
+#include <opencv2/core.hpp>
 #include <opencv2/imgcodecs.hpp>
 #include <set>
 #include <string>
@@ -34,6 +35,7 @@ struct Slot {
   Bytes labels, overlay;
   std::string planes;
   std::string summary;
+  bool out_of_range = false;  // most of its depths
 };
 
 Bytes encodePng(const cv::Mat& image) {
@@ -51,6 +53,13 @@ DepthView viewOf(const cv::Mat& depth, double units_per_metre) {
   view.type = DepthType::kUint16;
   view.metres_per_unit = static_cast<float>(1.0 / units_per_metre);
   return view;
+}
+
+// Whether most depths lie outside of min_range to max_range, as they do with a wrong depth scale.
+bool isOutOfRange(const cv::Mat& depth, double units_per_metre, const ScanlineParameters& range) {
+  const cv::Mat outside =
+      (depth < range.min_range * units_per_metre) | (depth > range.max_range * units_per_metre);
+  return 2 * cv::countNonZero(outside & (depth > 0)) > cv::countNonZero(depth);
 }
 
 std::string summaryOf(const DepthFrame& frame, const Segmentation& segmentation, const StageClock& clock) {
@@ -71,6 +80,7 @@ void work(Slot& slot) {
   slot.overlay = encodePng(drawOverlay(slot.depth, result, frame.camera));
   slot.planes = planesJson(frame.name, result, clock, settingsOf(frame, slot.segmenter.parameters()));
   slot.summary = summaryOf(frame, result, clock);
+  slot.out_of_range = isOutOfRange(slot.depth, frame.units_per_metre, slot.segmenter.parameters().scanlines);
 }
 
 // The frames that are still to be done.
@@ -121,7 +131,7 @@ void segmentAll(const DepthTask& task, const std::vector<const DepthFrame*>& fra
   std::vector<Slot> slots(task.jobs > 0 ? static_cast<std::size_t>(task.jobs) : slotsForAllCores());
   for (Slot& slot : slots) slot.segmenter.setParameters(task.parameters);
   Progress progress;
-  std::size_t begun = 0, done = 0;
+  std::size_t begun = 0, done = 0, out_of_range = 0;
   workInOrder(
       slots,
       [&](Slot& slot) {
@@ -143,8 +153,17 @@ void segmentAll(const DepthTask& task, const std::vector<const DepthFrame*>& fra
         std::printf("%s\n", slot.summary.c_str());
         std::fflush(stdout);
         ++done;
+        out_of_range += slot.out_of_range ? 1 : 0;
         progress.update(done, static_cast<double>(done) / static_cast<double>(frames.size()));
       });
+  progress.clear();
+  if (out_of_range > 0) {
+    std::fprintf(
+        stderr,
+        "segment_depth: in %zu of %zu images most depths lie outside of min_range to max_range: is the depth "
+        "scale right?\n",
+        out_of_range, done);
+  }
 }
 
 }  // namespace

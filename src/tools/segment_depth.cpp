@@ -28,6 +28,8 @@ po::options_description options() {
                       "focal lengths and optical centre [px]")(
       "depth-scale", po::value<double>()->value_name("N"),
       "units of the depth images that make a metre, such as 1000 or 5000")(
+      "units-per-metre", po::value<double>()->value_name("N"),
+      "the same, by the name that it has in tables and results")(
       "dataset", po::value<std::string>()->value_name("NAME"),
       "FOLDER is a sequence of tum, icl_nuim, nyu or 7scenes, whose camera and depth scale are known")(
       "frames-csv", po::value<std::string>()->value_name("FILE"),
@@ -73,20 +75,29 @@ po::variables_map parse(int argc, char** argv) {
   return parseOptions(argc, argv, all, positional);
 }
 
+// By either of its names.
+std::optional<double> unitsPerMetre(const po::variables_map& given) {
+  if (given.count("depth-scale") != 0 && given.count("units-per-metre") != 0) {
+    throw BadInput("--depth-scale and --units-per-metre are the same; give one of them");
+  }
+  for (const char* name : {"depth-scale", "units-per-metre"}) {
+    if (given.count(name) != 0) return given[name].as<double>();
+  }
+  return {};
+}
+
 std::vector<DepthFrame> framesOfTheDataset(const po::variables_map& given) {
   const auto& folders = given["image"].as<std::vector<std::string>>();
   if (folders.size() != 1) throw BadInput("--dataset takes one FOLDER, that of a sequence; see --help");
   std::optional<CameraIntrinsics> camera;
   if (given.count("camera") != 0) camera = parseCamera(given["camera"].as<std::string>());
-  std::optional<double> units_per_metre;
-  if (given.count("depth-scale") != 0) units_per_metre = given["depth-scale"].as<double>();
-  return framesOfDataset(given["dataset"].as<std::string>(), folders.front(), camera, units_per_metre);
+  return framesOfDataset(given["dataset"].as<std::string>(), folders.front(), camera, unitsPerMetre(given));
 }
 
 std::vector<DepthFrame> framesOf(const po::variables_map& given) {
   const auto& images = given["image"].as<std::vector<std::string>>();
   if (given.count("frames-csv") != 0) {
-    for (const char* other : {"camera", "depth-scale", "dataset"}) {
+    for (const char* other : {"camera", "depth-scale", "units-per-metre", "dataset"}) {
       if (given.count(other) == 0 && images.empty()) continue;
       throw BadInput(
           "--frames-csv takes the place of --camera, --depth-scale, --dataset and images; give one or the "
@@ -96,9 +107,10 @@ std::vector<DepthFrame> framesOf(const po::variables_map& given) {
   }
   if (given.count("dataset") != 0) return framesOfTheDataset(given);
   const CameraIntrinsics camera = parseCamera(required(given, "camera").as<std::string>());
-  const double units_per_metre = required(given, "depth-scale").as<double>();
+  const std::optional<double> units_per_metre = unitsPerMetre(given);
+  if (!units_per_metre) required(given, "depth-scale");
   const bool folder = images.size() == 1 && fs::is_directory(images.front());
-  return framesOfImages(folder ? imagesIn(images.front()) : images, camera, units_per_metre);
+  return framesOfImages(folder ? imagesIn(images.front()) : images, camera, *units_per_metre);
 }
 
 void segmentDepth(int argc, char** argv) {

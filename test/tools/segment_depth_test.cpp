@@ -63,6 +63,21 @@ class SegmentDepth : public testing::Test {
   TemporaryFolder folder_;
 };
 
+TEST_F(SegmentDepth, SaysThatTheDepthScaleIsWrong) {
+  const std::string image = writeImage("wall.png", wall());
+  EXPECT_EQ(run({"--camera", "525,525,319.5,239.5", "--units-per-metre", "5000", "--out", out(), image}).err,
+            "");
+  for (const char* scale : {"5", "500000"}) {
+    const ToolResult result =
+        run({"--camera", "525,525,319.5,239.5", "--depth-scale", scale, "--out", out(), image});
+    EXPECT_EQ(result.exit_code, 0);
+    EXPECT_EQ(
+        result.err,
+        "segment_depth: in 1 of 1 images most depths lie outside of min_range to max_range: is the depth "
+        "scale right?\n");
+  }
+}
+
 TEST_F(SegmentDepth, WritesLabelsPlanesAndOverlay) {
   const ToolResult result = segment({writeImage("wall.png", wall())});
   ASSERT_EQ(result.exit_code, 0) << result.err;
@@ -180,6 +195,9 @@ TEST_F(SegmentDepth, RefusesWrongOptions) {
                 "depth scale");
   expectRefused(run({"--camera", "525,525,320,240", "--depth-scale", "many", "--out", out(), image}), "many");
   expectRefused(run({"--depth-scale", "1000", "--out", out(), image}), "--camera is missing");
+  expectRefused(run({"--camera", "525,525,320,240", "--depth-scale", "1000", "--units-per-metre", "1000",
+                     "--out", out(), image}),
+                "are the same");
   expectRefused(run({"--camera", "525,525,320,240", "--out", out(), image}), "--depth-scale is missing");
   expectRefused(run({"--camera", "525,525,320,240", "--depth-scale", "1000", image}), "--out is missing");
 }
