@@ -57,7 +57,8 @@ class MultiCameraLaunchTest(unittest.TestCase):
 
         # What is set for one does not count for the other.
         client = dynamic_reconfigure.client.Client(one.segmenter, timeout=PATIENCE_S)
-        client.update_configuration({"min_plane_area": 100.0})
+        self.assertEqual(0, client.update_configuration({"method": "paper"})["method"], "a method has a name")
+        client.update_configuration({"method": "adaptive", "min_plane_area": 100.0})
         one.next(2)  # may have been on their way
         self.assertEqual([0] * 5, [len(array.planes) for array in one.next(5)])
         self.assertGreaterEqual(min(len(array.planes) for array in other.next(5)), 2)

@@ -2,6 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """playback.launch: every image of a bag is answered, from the first one on, also with what segment_bag answered."""
 import array
+import copy
+import io
 import os
 import signal
 import subprocess
@@ -58,6 +60,16 @@ def write_bag(path, namespace):
     return stamps
 
 
+def comparable(message):
+    """The bytes of a PlaneArray but for what differs from run to run: the time that it took, and ROS's own seq."""
+    copy_of_it = copy.deepcopy(message)
+    copy_of_it.processing_time = 0
+    copy_of_it.header.seq = 0
+    buffer = io.BytesIO()
+    copy_of_it.serialize(buffer)
+    return buffer.getvalue()
+
+
 class PlaybackLaunchTest(unittest.TestCase):
     def wait_for_publisher(self, topic):
         deadline = time.monotonic() + 60
@@ -92,14 +104,37 @@ class PlaybackLaunchTest(unittest.TestCase):
             launch.wait(30)
         return arrays, nodes
 
-    def test_every_image_is_answered(self):
+    def test_every_image_is_answered_as_by_segment_bag(self):
         with tempfile.TemporaryDirectory() as folder:
             stamps = write_bag(os.path.join(folder, "a wall.bag"), "/kinect/depth")
             arrays, _ = self.play(folder, "a wall.bag")
+            self.assertFalse(rospy.has_param("/use_sim_time"), "it is left behind")
+            subprocess.run(["rosrun", "line_plane_segmentation", "segment_bag", "a wall.bag", "out.bag"], cwd=folder,
+                           check=True)
+            with rosbag.Bag(os.path.join(folder, "out.bag")) as out:
+                expected = [message for _, message, _ in out.read_messages("/kinect/plane_segmenter/planes", raw=False)]
         self.assertEqual(stamps, [message.header.stamp for message in arrays])
+        self.assertEqual(list(map(comparable, expected)), list(map(comparable, arrays)))
         for message in arrays:
             self.assertEqual((WIDTH, HEIGHT), (message.image_width, message.image_height))
             self.assertEqual(1, len(message.planes), "one wall")
+
+    def test_wrong_input_is_refused_before_anything_starts(self):
+        with tempfile.TemporaryDirectory() as folder:
+            write_bag(os.path.join(folder, "in.bag"), "/kinect/depth")
+            for arguments, complaint in (
+                    (["bag:=in.bag"], "it has no topic /camera/depth/image_raw and no topic /camera/depth/camera_info. "
+                                      "Its images and clouds: /kinect/depth/image_raw"),
+                    (["bag:=in.bag", "depth_topic:=/kinect/depth/image_raw", "segmented:=true"],
+                     "it has no topic /kinect/plane_segmenter/planes"),
+                    (["bag:=out.bag"], "No such file"),
+                    (["bag:=in.bag", "dept_topic:=/x"], "no argument 'dept_topic'; did you mean 'depth_topic'?")):
+                result = subprocess.run(["roslaunch", "line_plane_segmentation", "playback.launch", "rviz:=false"] + arguments,
+                                        cwd=folder, env=dict(os.environ, PWD=folder), timeout=60, stdout=subprocess.PIPE,
+                                        stderr=subprocess.STDOUT, universal_newlines=True)
+                self.assertEqual(1, result.returncode, result.stdout)
+                self.assertIn(complaint, result.stdout)
+                self.assertNotIn("process[", result.stdout)
 
     def test_what_segment_bag_made_is_shown(self):
         with tempfile.TemporaryDirectory() as folder:

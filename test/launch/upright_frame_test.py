@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
 """upright_frame beside a camera without tf, and beside one that tf knows."""
+import subprocess
 import unittest
 
 import rospy
@@ -39,6 +40,9 @@ class UprightFrameTest(unittest.TestCase):
         self.assert_close([0, 0, 0], translation)
         # z ahead, x right, y down  ->  x ahead, y left, z up
         self.assert_close([-0.5, 0.5, -0.5, 0.5], rotation)
+        # Straight ahead.
+        translation, _ = self.lookup("bare_upright", "bare_view")
+        self.assert_close([1, 0, 0], translation)
         publisher.unregister()
 
     def test_with_tf_the_frame_is_level_and_stays_in_the_world(self):
@@ -47,6 +51,15 @@ class UprightFrameTest(unittest.TestCase):
         self.assert_close([3, 2, 1], translation)
         # x looks along y, as the camera does; z is up, as the camera's is not
         self.assert_close([0, 0, 0.5 ** 0.5, 0.5 ** 0.5], rotation)
+        # On the optical axis, which points 30 degrees down.
+        translation, _ = self.lookup("world", "mounted_view")
+        self.assert_close([3, 2 + 0.75 ** 0.5, 0.5], translation)
+
+        # Another one, as of rviz.launch, ends by itself.
+        subprocess.run(["rosrun", "line_plane_segmentation", "upright_frame", "elsewhere", "mounted", "__ns:=mounted",
+                        "__name:=second"], check=True, timeout=20)
+        translation, _ = self.lookup("world", "mounted_upright")
+        self.assert_close([3, 2, 1], translation)
         publisher.unregister()
 
 
