@@ -6,7 +6,7 @@
 repository=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 build_directory=$repository/build
 
-# Builds with a sanitizer lie beside the others: use_build_directory_of address|thread|undefined
+# Builds with a sanitizer have a folder of their own: use_build_directory_of address|thread|undefined
 use_build_directory_of() {
   case $1 in
     address | thread | undefined) build_directory=$repository/build/$1 ;;
@@ -14,11 +14,11 @@ use_build_directory_of() {
   esac
 }
 
-# A Python of pyenv or conda in front of the system's has none of ROS's modules.
+# A Python of pyenv or conda, first on the path, does not have ROS's modules.
 export PATH=/usr/bin:$PATH
 unset PYTHONHOME VIRTUAL_ENV
 
-# The files that ROS has one source refer to variables that need not be set.
+# ROS's setup files use variables that may be unset.
 source_ros_setup() {
   set +u
   # shellcheck disable=SC1090
@@ -26,11 +26,11 @@ source_ros_setup() {
   set -u
 }
 
-# On Debian ROS lies in /usr and needs no set-up file.
+# On Debian, ROS is in /usr and needs no setup file.
 [ ! -f /opt/ros/noetic/setup.bash ] || source_ros_setup /opt/ros/noetic/setup.bash
 
-# Nodes started by these scripts talk to each other on this machine, whatever its name resolves to, and keep
-# their logs in the build folder.
+# Nodes started by these scripts communicate over the loopback interface, independent of name resolution, and write
+# their logs to the build folder.
 use_local_ros() {
   unset ROS_HOSTNAME
   export ROS_IP=127.0.0.1
@@ -38,7 +38,7 @@ use_local_ros() {
   unset ROS_LOG_DIR
 }
 
-# A file that includes PCL takes up to 1.5 GB to compile.
+# Compiling a file that includes PCL needs up to 1.5 GB.
 jobs_that_fit() {
   local processors gigabytes_and_a_half
   processors=$(nproc)
@@ -46,10 +46,10 @@ jobs_that_fit() {
   echo $((gigabytes_and_a_half < 1 ? 1 : gigabytes_and_a_half < processors ? gigabytes_and_a_half : processors))
 }
 
-# Says what cmake says only if it fails: configure FOLDER [OPTION OF cmake]...
+# Runs cmake and prints its output only if it fails: configure FOLDER [OPTION OF cmake]...
 configure() {
-  # catkin keeps the environment of the first configuring for the tests, with only those folders on the paths that
-  # are there by then: without this one, Python tests would not find the messages in a fresh clone.
+  # catkin stores the environment of the first configuration for the tests, with only the folders that exist then.
+  # Without this folder, Python tests in a fresh clone would not find the messages.
   mkdir -p "$1/devel/lib/python3/dist-packages"
   cmake -S "$repository" -B "$1" -DPYTHON_EXECUTABLE=/usr/bin/python3 "${@:2}" >"$1/configure.log" 2>&1 || {
     cat "$1/configure.log" >&2
@@ -61,20 +61,20 @@ free_port() {
   /usr/bin/python3 -c 'import socket; s = socket.socket(); s.bind(("127.0.0.1", 0)); print(s.getsockname()[1])'
 }
 
-# Builds, with these programs of the tests besides, and puts what was built on the path.
+# Builds the package and the given test programs, and sources the result.
 build_with_test_programs() {
   "$repository/scripts/build" >&2
   cmake --build "$build_directory" --target "$@" >&2
   source_ros_setup "$build_directory/devel/setup.bash"
 }
 
-# From here on there is a master of our own, at $port; one that runs already is not disturbed.
+# Selects a free port for a separate master, $port, so that a running one is not disturbed.
 choose_master() {
   port=$(free_port)
   export ROS_MASTER_URI=http://127.0.0.1:$port
 }
 
-# Starts roslaunch, as process $master, with a master of its own, and waits for that: start_master LOG [ARGUMENT]...
+# Starts roslaunch with a separate master as process $master, and waits for the master: start_master LOG [ARGUMENT]...
 start_master() {
   local log=$1
   choose_master
@@ -96,7 +96,7 @@ end_master() {
   wait "$master" 2>/dev/null || true
 }
 
-# The same for a launch file beside what a script does: it ends with the script.
+# Like start_master, for a launch file that ends with the script.
 launch_beside() {
   use_local_ros
   trap end_master EXIT

@@ -15,14 +15,14 @@ import subprocess
 import sys
 import xml.etree.ElementTree as ElementTree
 
-# Longer than rostest's own limits, which end a test in an orderly way.
+# Longer than rostest's own limits, with which a test ends cleanly.
 TIMEOUT_SECONDS = 900
 
 Case = collections.namedtuple("Case", "name outcome message")
 
 
 def read_cases(path):
-    """The cases of an xunit file; a file that is missing or cut off is one failed case."""
+    """The cases of an xunit file. A missing or truncated file is one failed case."""
     try:
         root = ElementTree.parse(path).getroot()
     except (OSError, ElementTree.ParseError) as error:
@@ -45,8 +45,8 @@ def read_case(path, element):
 
 
 def rostest_cases(path, seen):
-    """The cases behind a rostest: its own file has one case for each test program, which only says whether the
-    program left a result, and names the file with what the program tested."""
+    """The cases of a rostest. Its own file has one case per test program, which only states whether the
+    program left a result, and the name of the file with the cases of the program."""
     cases = [case for case in read_cases(path) if case.outcome != "passed"]
     text = path.read_text(errors="replace") if path.exists() else ""
     for inner in re.findall(r"results are in \[([^\]]+)\]", text):
@@ -59,7 +59,7 @@ def rostest_cases(path, seen):
 
 
 def result_file(test):
-    """The xunit file that catkin has a ctest entry write, None for an entry that only has an exit code."""
+    """The xunit file that a ctest entry writes, None if it has only an exit code."""
     command = test.get("command", [])
     for word, following in zip(command, command[1:]):
         if word.endswith("/run_tests.py"):
@@ -68,7 +68,7 @@ def result_file(test):
 
 
 def cases_of(test, failed_tests, seen):
-    """All cases of one ctest entry: at least one, and at least one failed if ctest says so."""
+    """All cases of one ctest entry: at least one, and at least one failed if ctest reports a failure."""
     name, path = test["name"], result_file(test)
     if path is None:
         return [Case(name, "failed", "it ended with an error") if name in failed_tests else Case(name, "passed", "")]
@@ -81,20 +81,20 @@ def cases_of(test, failed_tests, seen):
 
 
 def read_skipped(path):
-    """The reasons why tests are left out, by regular expressions of their names: lines of both."""
+    """Excluded tests: {regular expression of names: reason}, from lines with both."""
     lines = [line.split(None, 1) for line in path.read_text().splitlines() if line and not line.startswith("#")]
     return {name: reason for name, reason in lines}
 
 
 def list_tests(build, selection):
-    """The ctest descriptions of the tests that such options select."""
+    """The ctest descriptions of the tests selected by these options."""
     listing = subprocess.run(["ctest", "--show-only=json-v1"] + selection, cwd=build, check=True,
                              stdout=subprocess.PIPE)
     return json.loads(listing.stdout)["tests"]
 
 
 def skipped_cases(build, only, without, reasons):
-    """One case for each test that is selected but left out; a reason that no test has is an error."""
+    """One skipped case per selected but excluded test. A reason that applies to no test is an error."""
     everything = [test["name"] for test in list_tests(build, [])]
     for pattern in reasons:
         if not any(re.search(pattern, name) for name in everything):
@@ -106,7 +106,7 @@ def skipped_cases(build, only, without, reasons):
 
 
 def run_ctest(build, selection):
-    """Runs the tests; returns their ctest descriptions and the set of names of those that failed."""
+    """Runs the tests. Returns their ctest descriptions and the names of the failed ones."""
     tests = list_tests(build, selection)
     for path in filter(None, map(result_file, tests)):
         path.unlink(missing_ok=True)

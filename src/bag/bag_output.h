@@ -32,7 +32,7 @@ class BagOutput {
   }
 
   /// Copies a serialised message.
-  /// @throws BadInput if there is no more room
+  /// @throws BadInput if the disk is full
   void copy(const BagMessage& message) {
     guarded([&] {
       bag_->write(message.topic, std::max(message.time, ros::TIME_MIN), *message.content, message.connection);

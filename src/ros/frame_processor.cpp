@@ -10,7 +10,8 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-// What tf has told nothing of for so long, it will not tell: whoever has no tf gets no later answers for it.
+// Frames that tf has not known for this long are treated as unavailable. Images then no longer wait for
+// them, so a system without tf has no extra latency.
 constexpr std::chrono::seconds kUnknownForGood(1);
 
 }  // namespace
@@ -51,7 +52,8 @@ void FrameProcessor::applyParameters() {
   unknown_since_ = {};
 }
 
-// When tf has just begun, or a bag begins again, the first transforms come about when the first image does.
+// True if waiting may help: when tf has just started, or a bag loops, the first transforms arrive at about
+// the same time as the first image.
 bool FrameProcessor::mayCome(const CameraPlaces& places) {
   using Answer = TransformLookup::Answer;
   const std::array lookups = places.all();
@@ -96,7 +98,7 @@ void FrameProcessor::adviseOnPlaces(const CameraPlaces& places) {
 
 void FrameProcessor::refuse(Refusal refusal, const std::string& explanation) {
   statistics_.refused(refusal, explanation, segmenter_.header().frame_id);
-  // Of transforms that fail now and then, as they do, adviseOnPlaces() tells when they are too many.
+  // Single failed transforms are normal; adviseOnPlaces() warns if most of them fail.
   if (refusal != Refusal::kTf) advice_.refused(refusal, explanation);
 }
 

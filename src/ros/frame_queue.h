@@ -11,34 +11,34 @@
 
 namespace line_plane_segmentation {
 
-/// Frames on their way from the subscription, which must never wait, to the thread that segments them.
+/// Queue of frames from the subscription, which must never block, to the thread that segments them.
 ///
-/// Normally they wait in order, so that a short delay costs none. When the queue overflows the input is
-/// faster than the processing: from then on only the newest waits and those before it are dropped and
-/// counted, until the processing has caught up. So the delay stays below one frame's processing.
+/// Normally a FIFO queue, so that a short delay drops no frame. When it overflows, the input is faster than
+/// the processing: from then on only the newest frame is kept, and older ones are dropped and counted,
+/// until the processing has caught up. This bounds the latency to the processing time of one frame.
 class FrameQueue {
  public:
-  /// @param capacity  frames that wait at most; at least 1
+  /// @param capacity  largest number of waiting frames, at least 1
   explicit FrameQueue(std::size_t capacity) : capacity_(capacity) {}
 
-  /// Never blocks for longer than pop() takes to move a frame out. Notes when the frame arrived.
+  /// Never blocks for longer than pop() needs to move a frame. Stores the time of arrival.
   void push(CameraFrame frame);
 
   /// Waits for a frame.
   /// @return false once the queue is closed
   bool pop(CameraFrame& frame);
 
-  /// Forgets the frames that wait, without counting them.
+  /// Removes the waiting frames without counting them as dropped.
   void clear();
 
-  /// Ends every pop(), now and later.
+  /// Makes the current and all later calls of pop() return false.
   void close();
   bool closed() const;
 
   /// Whether the next frame, or the one after it, would overflow the queue.
   bool nearlyFull() const;
 
-  /// Frames dropped since the beginning.
+  /// Number of frames dropped since construction.
   std::uint64_t dropped() const;
 
  private:

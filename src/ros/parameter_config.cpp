@@ -14,7 +14,7 @@ namespace {
 using dynamic_reconfigure::ConfigTools;
 using ConfigMessage = dynamic_reconfigure::Config;
 
-// The message form of a config has its values by name, so that no parameter has to be named here.
+// The message form of a config holds the values by name, so no parameter has to be named here.
 template <typename T>
 void read(const ConfigMessage& message, const std::string& name, T& value) {
   ConfigTools::getParameter(message, name, value);
@@ -83,7 +83,7 @@ template <typename T>
 std::string problemWith(const ros::NodeHandle& nh, const std::string& name, T value, T min, T max) {
   if (!nh.hasParam(name)) return {};
   if (!getAs(nh, name, value)) return "~" + name + " must be " + wantedFor(value) + "; ";
-  // Not "outside", which a NaN is not.
+  // A negated range test would accept NaN.
   if (value >= min && value <= max) return {};
   std::ostringstream problem;
   problem << "~" << name << " = " << static_cast<double>(value) << " is not within "
@@ -125,7 +125,7 @@ std::string presetOf(const Parameters& method) {
   return kNoPreset;
 }
 
-// The preset, changed where the request differs from what is there.
+// The preset, with the values in which the request differs from the current parameters.
 Parameters presetAndChanges(const Parameters& preset, const Parameters& current,
                             const Parameters& requested) {
   ConfigMessage before;

@@ -19,9 +19,9 @@ using visualization_msgs::Marker;
 
 constexpr double kLineWidth = 0.02;  // [m]
 
-// All rings of the plane as one list of lines.
+// All rings of a plane as one LINE_LIST marker.
 Marker outlineMarker(const SegmentedFrame& frame, const PublishedPlane& published) {
-  // The plane's own colour would not be seen on the cloud.
+  // The plane's own colour would be invisible on the cloud.
   constexpr float kWhitened = 0.6F;
   const SegmentedPlane& plane = published.plane;
   Marker marker = makeMarker(frame.published.header, "outlines", published.id, Marker::LINE_LIST);
@@ -39,8 +39,8 @@ Marker outlineMarker(const SegmentedFrame& frame, const PublishedPlane& publishe
   return marker;
 }
 
-// Where arrow and text stand, in the frame of the messages: where the ray through the anchor meets the plane,
-// or the centroid if there is no anchor.
+// Start of the normal's arrow, in the frame of the messages: the intersection of the anchor's ray with the
+// plane, or the centroid if there is no anchor.
 Eigen::Vector3d footOf(const SegmentedFrame& frame, const PublishedPlane& published,
                        const LabelAnchor& anchor) {
   const SegmentedPlane& seen = frame.segmentation.planes[published.plane.label - std::size_t{1}];
@@ -83,15 +83,15 @@ double textHeight(const SegmentedPlane& plane, double distance) {
   return std::clamp(0.09 * std::sqrt(plane.area), 0.02 * distance, 0.04 * distance);
 }
 
-// From the foot of the arrow to the middle of the text: below the arrow, and so far before the plane that no
-// corner of the text sinks into it, both as the camera sees it. rviz turns texts to its viewer, who looks
-// about the same way.
+// Offset from the start of the arrow to the centre of the text: below the arrow, and far enough in front of
+// the plane that no corner of the text intersects it, both in the camera's view. rviz rotates texts towards
+// its viewer, who looks in about the same direction.
 Eigen::Vector3d textOffset(const SegmentedFrame& frame, const SegmentedPlane& plane, double height) {
-  const double half_height = 1.2 * height;  // of two lines
+  const double half_height = 1.2 * height;  // height of two lines
   const double half_width = 4.0 * height;
   constexpr double kGap = 0.03;                                     // [m]
   constexpr double kAbout = 0.35;                                   // [rad]
-  const Eigen::Matrix3d axes = frame.published.placement.linear();  // of the image: right, down, ahead
+  const Eigen::Matrix3d axes = frame.published.placement.linear();  // image axes: right, down, forward
   const Eigen::Vector3d slope = (axes.transpose() * plane.normal).cwiseAbs();
   const double sinks = half_width * (slope.x() + kAbout * slope.z()) + half_height * slope.y();
   const Eigen::Vector3d down = axes.col(1);

@@ -25,7 +25,7 @@ std::string lateInfos(const NodeletStatus& status) {
          " arrives more than queue_size images after its image. Raise ~queue_size";
 }
 
-// What is missing between the subscription and a first or next pair of image and camera_info.
+// Describes what is missing for the first or next pair of image and camera_info.
 std::string missingInput(const NodeletStatus& status, std::chrono::milliseconds patience, TimePoint now) {
   const auto recent = [&](TimePoint time) { return time != TimePoint{} && now - time < patience; };
   if (!status.topics.cloud.empty()) return "waiting for point clouds on " + status.topics.cloud;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Planes in another frame, against gravity, and what happens where tf does not tell: faults rows 21, 24, 26.
+// Planes in a target frame, their orientation, and missing transforms: faults rows 21, 24, 26.
 #include <gtest/gtest.h>
 #include <line_plane_segmentation/PlaneArray.h>
 #include <sensor_msgs/PointCloud2.h>
@@ -21,9 +21,9 @@ namespace {
 
 constexpr std::uint32_t kWidth = 320;
 constexpr std::uint32_t kHeight = 240;
-constexpr double kTilt = 40.0 * M_PI / 180.0;  // the camera looks down by so much
+constexpr double kTilt = 40.0 * M_PI / 180.0;  // [rad] downward pitch of the camera
 
-// A floor that the camera sees from 1.2 m above.
+// A floor seen from 1.2 m above.
 const Eigen::Vector3d kFloorNormal(0.0, -std::cos(kTilt), -std::sin(kTilt));
 constexpr double kHeightAboveFloor = 1.2;
 
@@ -39,13 +39,13 @@ class Frames : public testing::Test {
  protected:
   void SetUp() override { ASSERT_TRUE(camera_.waitForSubscriber()); }
 
-  // Every frame of the tests has its own stamp.
+  // Returns a new timestamp for each frame.
   static ros::Time nextStamp() {
     static double seconds = 1000.0;
     return ros::Time(seconds += 0.1);
   }
 
-  // Sent by the one that a listener waits for.
+  // Publishes one transform.
   void sendTransform(const std::string& parent, const ros::Time& stamp) {
     geometry_msgs::TransformStamped message = tf2::eigenToTransform(cameraInWorld());
     message.header.stamp = stamp;
@@ -65,7 +65,7 @@ class Frames : public testing::Test {
 
   void publish(const ros::Time& stamp) { camera_.publish(image_, info_, stamp); }
 
-  /// Publishes until the segmenter, which has just begun to listen to tf, has got it.
+  /// Publishes until the segmenter, whose subscription of tf is new, has received it.
   bool answersSoon(const std::string& parent) {
     return waitUntil([&] {
       const ros::Time stamp = nextStamp();
@@ -79,10 +79,10 @@ class Frames : public testing::Test {
     return !planes_->newest()->planes.empty() && planes_->newest()->planes[0].orientation != Plane::UNKNOWN;
   }
 
-  /// As the newest report says.
+  /// Value from the newest report.
   int refusedForTf() const { return static_cast<int>(diagnostics_.number("frames refused: tf")); }
 
-  /// As the next report says, while nothing is going on.
+  /// Value from the next report, while no image arrives.
   int refusedUntilNow() const {
     EXPECT_TRUE(diagnostics_.waitForReport());
     return refusedForTf();
@@ -165,7 +165,7 @@ TEST_F(Frames, goesOnWithoutGravity) {
   for (int i = 0; i < 5; ++i) {
     const ros::Time stamp = nextStamp();
     publish(stamp);
-    // What is unknown for a second is not waited for any more.
+    // After a second, images no longer wait for unknown frames.
     ASSERT_TRUE(planes_->waitFor(stamp, i == 0 ? 2.0 : 0.5)) << i;
     ASSERT_EQ(1U, planes_->newest()->planes.size());
     EXPECT_EQ(Plane::UNKNOWN, planes_->newest()->planes[0].orientation);
@@ -207,7 +207,7 @@ TEST_F(Frames, waitsForStaticTransformsOnce) {
   EXPECT_TRUE(isOriented());
 }
 
-// Most transforms come a little after the image that they belong to.
+// Most transforms arrive shortly after their image.
 TEST_F(Frames, waitsALittleForLateTransformsAndNotForever) {
   const auto inTheWorld = [](PlaneSegmenterConfig& config) {
     config.target_frame = config.gravity_frame = "world";
@@ -224,7 +224,7 @@ TEST_F(Frames, waitsALittleForLateTransformsAndNotForever) {
   }
   const int refused = refusedUntilNow();
   const int answers = planes_->count();
-  // As they come at 30 Hz: one after the other these would wait for five seconds.
+  // Sent at 30 Hz: if each waited in turn, the last would wait for five seconds.
   for (int i = 0; i < 10; ++i) {
     publish(nextStamp());
     spinFor(1.0 / 30.0);
@@ -238,7 +238,7 @@ TEST_F(Frames, waitsALittleForLateTransformsAndNotForever) {
   EXPECT_TRUE(waitUntil([&] { return refusedForTf() == refused + 10; })) << refusedForTf() - refused;
 }
 
-// Then tf knows nothing of the new time until its first transform comes, which may be later than the image.
+// Then tf has no data for the new time until the first transform arrives, possibly after the image.
 TEST_F(Frames, waitsWhereTimeHasGoneBack) {
   reconfigure([](PlaneSegmenterConfig& config) {
     config.target_frame = config.gravity_frame = "world";
@@ -254,7 +254,7 @@ TEST_F(Frames, waitsWhereTimeHasGoneBack) {
   }
 }
 
-// A bag of 20 s that is played in a loop without a clock: nobody tells tf that time goes back.
+// A bag of 20 s played in a loop without a clock: tf is not notified that time jumps back.
 TEST_F(Frames, goesOnWhenABagBeginsAgain) {
   sendStaticTransform();
   reconfigure([](PlaneSegmenterConfig& config) {
@@ -266,7 +266,7 @@ TEST_F(Frames, goesOnWhenABagBeginsAgain) {
     for (int i = 0; i <= 20; ++i) {
       const ros::Time stamp(500.0 + i);
       sendTransform("world", stamp);
-      // After its transform, whatever way the two take.
+      // Sent after its transform has arrived.
       spinFor(0.03);
       publish(stamp);
       if (!planes_->waitFor(stamp, i == 0 ? 0.5 : 5.0)) continue;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Rows 30 and 31: reconfigured as often as it can while it works, also with nonsense. Each frame sees one
-// consistent set of parameters, and none waits.
+// Rows 30 and 31: reconfigured at the highest possible rate during processing, also with invalid values.
+// Each frame uses one consistent set of parameters, and none is delayed.
 #include <gtest/gtest.h>
 #include <line_plane_segmentation/PlaneArray.h>
 
@@ -25,7 +25,7 @@ constexpr double kFar = 10.0;     // [m]
 
 using Range = std::vector<double>;  // min_range and max_range [m]
 
-// The left quarter of the picture shows a wall at 1 m, the rest one at 3 m.
+// The left quarter of the image shows a wall at 1 m, the rest a wall at 3 m.
 sensor_msgs::Image twoWalls() {
   sensor_msgs::Image image = testImage(kWidth, kHeight, "16UC1");
   for (std::uint32_t v = 0; v < kHeight; ++v) {
@@ -37,7 +37,7 @@ sensor_msgs::Image twoWalls() {
 constexpr std::uint32_t kPixelsOfNearWall = kWidth * kHeight / 4;
 constexpr std::uint32_t kPixelsOfFarWall = kWidth * kHeight - kPixelsOfNearWall;
 
-// Another program's, with a thread of its own.
+// Represents another program, with its own thread.
 class Storm {
  public:
   Storm() : thread_([this] { run(); }) {}
@@ -45,7 +45,7 @@ class Storm {
   Storm(const Storm&) = delete;
   Storm& operator=(const Storm&) = delete;
 
-  // @return how many requests were answered
+  // @return number of answered requests
   int stop() {
     stop_ = true;
     if (thread_.joinable()) thread_.join();
@@ -107,7 +107,7 @@ TEST(ReconfigureStorm, leavesEachFrameOneSetOfParametersAndWaitsForNone) {
   const int requests = storm.stop();
   const double rate = requests / (now() - start);
   RecordProperty("requests_a_second", static_cast<int>(rate));
-  // It asks for 200, of which a busy machine need not grant all; but they have to reach the frames.
+  // It sends up to 200; a busy machine may answer fewer, but those must take effect.
   EXPECT_GT(rate, 50.0);
   int changes = 0;
   for (std::size_t i = 1; i < valid_pixels.size(); ++i)
