@@ -170,7 +170,7 @@ class ResultsTest(unittest.TestCase):
             self.assertTrue(method.__doc__.startswith(method.__name__ + "("), method.__doc__)
 
     def test_stubs_and_module_have_the_same_names(self):
-        folder = os.path.join(os.path.dirname(line_plane_segmentation.overlay.__code__.co_filename))
+        folder = os.path.dirname(line_plane_segmentation.overlay.__code__.co_filename)
         with open(os.path.join(folder, "_plane_segmenter.pyi"), encoding="utf-8") as stream:
             classes = [node for node in ast.parse(stream.read()).body if isinstance(node, ast.ClassDef)]
         self.assertEqual({"Plane", "PlaneSegmenter", "PlaneTracker", "Segmentation"}, {node.name for node in classes})
