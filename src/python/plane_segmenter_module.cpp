@@ -129,8 +129,9 @@ void defineSegmenter(py::module& module) {
           "line_segments", &PythonSegmenter::lineSegments,
           "structured array (n,): the line segments of the last image. Fields: direction (0: along a row, 1: "
           "along a column), scanline [px] (which row or column), first and last [px], points, alpha [rad] "
-          "and r "
-          "[m] (x cos(alpha) + z sin(alpha) = r in the scanline's plane), covariance (2, 2) of (alpha, r)");
+          "and r [m] (s cos(alpha) + t sin(alpha) = r in the plane of camera and scanline: t is a point's "
+          "coordinate along the scanline, s its distance from the camera across it), covariance (2, 2) of "
+          "(alpha, r)");
 }
 
 }  // namespace line_plane_segmentation

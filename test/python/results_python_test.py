@@ -145,7 +145,8 @@ class ResultsTest(unittest.TestCase):
         self.assertEqual({0, 1}, set(lines["direction"]))
         self.assertTrue(np.all(lines["first"] < lines["last"]))
         rows = lines[(lines["direction"] == 0) & (lines["scanline"] < 10)]
-        np.testing.assert_allclose(3.0, rows["r"], atol=0.02)
+        # Along a row, distances are measured in the plane of the row and the camera.
+        np.testing.assert_allclose(3.0 * np.hypot(1.0, (rows["scanline"] - CAMERA[3]) / CAMERA[1]), rows["r"], atol=0.02)
         self.assertEqual((2, 2), lines["covariance"].shape[1:])
         self.assertTrue(np.all(np.linalg.eigvalsh(lines["covariance"]) > -1e-12))
         np.testing.assert_array_equal(lines, pickle.loads(pickle.dumps(lines)))
