@@ -7,6 +7,7 @@
 #include <opencv2/core.hpp>
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -100,13 +101,34 @@ void addPng(const fs::path& file, const cv::Mat& image, OutputFiles& files) {
   files.add(file, bytes);
 }
 
+std::string tableRow(const SimulatedFrame& frame) {
+  std::ostringstream row;
+  row << frame.name << "," << frame.width() << "," << frame.height() << ",1000," << frame.camera.fx << ","
+      << frame.camera.fy << "," << frame.camera.cx << "," << frame.camera.cy << "\n";
+  return row.str();
+}
+
+// Writes the rooms as a labelled set for evaluate_segmentation --robust.
+void writeSet(const fs::path& folder, const RoomRange& rooms) {
+  for (const char* images : {"truth", "depth"}) makeOutputFolder(folder / images);
+  std::string table = "frame,width,height,units_per_metre,fx,fy,cx,cy\n";
+  OutputFiles files;
+  forEachSimulatedFrame(rooms, [&](const SimulatedFrame& frame) {
+    addPng(folder / "truth" / (frame.name + ".png"), imageOf(frame, frame.truth), files);
+    addPng(folder / "depth" / (frame.name + ".png"), imageOf(frame, frame.depth), files);
+    table += tableRow(frame);
+  });
+  files.add(folder / "frames.csv", table);
+  files.commit();
+}
+
 void judge(const fs::path& out, const std::string& preset) {
   Parameters parameters;
   if (!loadPreset(preset, parameters)) throw BadInput("no preset is named '" + preset + "'");
   for (const char* folder : {"truth", "labels", "pictures"}) makeOutputFolder(out / folder);
 
   PlaneSegmenter segmenter(parameters);
-  forEachSimulatedFrame([&](const SimulatedFrame& frame) {
+  forEachSimulatedFrame(kSeenRooms, [&](const SimulatedFrame& frame) {
     const Labels& labels =
         segmenter.segment(viewOf(frame.depth.data(), frame.width(), frame.height()), frame.camera).labels;
     const RegionOverlaps regions = countOverlaps(frame.truth.data(), labels.data(), labels.size());
@@ -117,6 +139,9 @@ void judge(const fs::path& out, const std::string& preset) {
     addPng(out / "pictures" / file, pictureOf(frame, labels, regions), files);
     files.commit();
   });
+  writeSet(out / "simulated", kSeenRooms);
+  writeSet(out / "simulated_deciding", kDecidingRooms);
+  writeSet(out / "simulated_confirming", kConfirmingRooms);
 }
 
 }  // namespace
@@ -127,7 +152,8 @@ int main(int argc, char** argv) {
   if (argc < 2 || argc > 3 || argv[1][0] == '-') {
     std::cerr
         << "Usage: judge_test_rooms DIR [PRESET]\n"
-           "Writes truth, labels and pictures (left: the truth, right: what was found) of each frame.\n";
+           "Writes truth, labels and pictures (left: the truth, right: what was found) of each frame,\n"
+           "and the labelled sets DIR/simulated, DIR/simulated_deciding and DIR/simulated_confirming.\n";
     return 1;
   }
   return runTool("judge_test_rooms", [=] { judge(argv[1], argc == 3 ? argv[2] : "kinect"); });

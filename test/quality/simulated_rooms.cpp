@@ -14,7 +14,6 @@ using simulation::SimulatedCamera;
 
 constexpr int kWidth = 640;
 constexpr int kHeight = 480;
-constexpr std::uint64_t kRooms = 10;
 constexpr int kTimes[] = {0, 5, 10, 15};  // [s]
 
 std::string nameOf(std::uint64_t room, int seconds) {
@@ -33,9 +32,16 @@ std::vector<std::uint16_t> judgedTruth(const Rendering& rendering, const std::ve
 
 }  // namespace
 
-void forEachSimulatedFrame(const std::function<void(const SimulatedFrame&)>& visit) {
+LabelledFrame SimulatedFrame::labelled() const {
+  const auto imageOf = [this](const std::vector<std::uint16_t>& pixels) {
+    return cv::Mat(height(), width(), CV_16UC1, const_cast<std::uint16_t*>(pixels.data())).clone();
+  };
+  return {name, imageOf(depth), imageOf(truth), camera, 1000.0};
+}
+
+void forEachSimulatedFrame(const RoomRange& rooms, const std::function<void(const SimulatedFrame&)>& visit) {
   std::vector<std::uint16_t> depth(std::size_t{kWidth} * kHeight);
-  for (std::uint64_t room = 1; room <= kRooms; ++room) {
+  for (std::uint64_t room = rooms.first; room <= rooms.last; room += rooms.step) {
     SimulatedCamera camera({room, kWidth, kHeight, true});
     for (const int seconds : kTimes) {
       const auto frame_number = static_cast<std::uint64_t>(30 * seconds);

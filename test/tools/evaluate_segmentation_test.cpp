@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
+#include <map>
 #include <nlohmann/json.hpp>
 #include <opencv2/imgcodecs.hpp>
 
@@ -111,6 +112,56 @@ TEST_F(EvaluateSegmentation, DrawsTheCurve) {
   const std::string file = (folder_ / "curve.png").string();
   ASSERT_EQ(evaluate({"--curve", file}).exit_code, 0);
   EXPECT_EQ(cv::imread(file, cv::IMREAD_UNCHANGED).type(), CV_8UC3);
+}
+
+// Two frames of a wall, which fills the image; the second one has another region on it that cannot be found.
+void writeSet(const TemporaryFolder& folder) {
+  folder.write("frames.csv",
+               "frame,width,height,units_per_metre,fx,fy,cx,cy\n"
+               "a,320,240,1000,262,262,159.5,119.5\nb,320,240,1000,262,262,159.5,119.5\n");
+  const cv::Mat depth(240, 320, CV_16UC1, cv::Scalar(1500));
+  cv::Mat truth(240, 320, CV_16UC1, cv::Scalar(1));
+  for (const char* name : {"depth", "truth"}) std::filesystem::create_directory(folder / name);
+  for (const char* file : {"depth/a.png", "depth/b.png"}) cv::imwrite((folder / file).string(), depth);
+  cv::imwrite((folder / "truth/a.png").string(), truth);
+  truth(cv::Rect(100, 100, 50, 50)).setTo(2);
+  cv::imwrite((folder / "truth/b.png").string(), truth);
+}
+
+TEST_F(EvaluateSegmentation, EvaluatesASetRobustly) {
+  const TemporaryFolder set;
+  writeSet(set);
+  const std::string file = (folder_ / "scores.json").string();
+  for (const auto& [half, recall] : std::map<std::string, double>{{"even", 1.0}, {"odd", 0.5}}) {
+    const ToolResult result =
+        runProcess(EVALUATE_SEGMENTATION, {"--robust", set.path().string(), "--half", half, "--json", file});
+    ASSERT_EQ(result.exit_code, 0) << result.err;
+    EXPECT_NE(result.out.find("| correct |"), std::string::npos) << result.out;
+    const json scores = json::parse(textOf(file))["sets"][0];
+    EXPECT_EQ(scores["frames"], 1);
+    EXPECT_EQ(scores["variants"], 40);
+    EXPECT_DOUBLE_EQ(scores["recall"]["mean"].get<double>(), recall);
+    EXPECT_DOUBLE_EQ(scores["recall"]["spread"].get<double>(), 0.0);
+    EXPECT_EQ(scores["flips"], 0.0);
+  }
+}
+
+TEST_F(EvaluateSegmentation, RobustModeHeedsParameters) {
+  const TemporaryFolder set;
+  writeSet(set);
+  const std::vector<std::string> arguments{"--robust", set.path().string(), "--set", "max_range=1.0"};
+  EXPECT_NE(runProcess(EVALUATE_SEGMENTATION, arguments).out.find("| 0.000 ± 0.000 |"), std::string::npos);
+}
+
+TEST_F(EvaluateSegmentation, RobustModeRefusesWrongInput) {
+  const TemporaryFolder set;
+  const std::string folder = set.path().string();
+  expectRefused(runProcess(EVALUATE_SEGMENTATION, {"--robust", folder}), "frames.csv: cannot be read");
+  writeSet(set);
+  expectRefused(runProcess(EVALUATE_SEGMENTATION, {"--robust", folder, "--half", "third"}), "odd or even");
+  expectRefused(runProcess(EVALUATE_SEGMENTATION, {"--robust", folder, "--set", "nonsense=1"}), "nonsense");
+  std::filesystem::remove(set / "truth/b.png");
+  expectRefused(runProcess(EVALUATE_SEGMENTATION, {"--robust", folder}), "truth/b.png: no such file");
 }
 
 TEST_F(EvaluateSegmentation, ExplainsItself) {

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "line_primitive_segmenter.h"
+
+#include <algorithm>
+#include <cmath>
+#include <type_traits>
+
+namespace line_plane_segmentation {
+namespace {
+
+int scaled(int value, double factor) { return std::max(1, static_cast<int>(std::lround(value * factor))); }
+
+// What the image determines. Everything else in this file is independent of how it does.
+Parameters resolvedFor(const LabelledFrame& frame, const Parameters& parameters) {
+  return resolve(parameters, frame.depth.cols);
+}
+
+}  // namespace
+
+void scaleParameter(const ScaledParameter& scaled_parameter, const Parameters& resolved,
+                    Parameters& parameters) {
+  double value = 0.0;
+  visitParameters(resolved, [&](const std::string& name, const auto& field, auto, auto) {
+    if (name == scaled_parameter.name) value = static_cast<double>(field);
+  });
+  const double factor = scaled_parameter.factor;
+  visitParameters(parameters, [&](const std::string& name, auto& field, auto, auto) {
+    using T = std::decay_t<decltype(field)>;
+    if (name != scaled_parameter.name) return;
+    if constexpr (std::is_same_v<T, double>) field = value * factor;
+    if constexpr (std::is_same_v<T, int>) {
+      field = static_cast<int>(std::lround(value * factor));
+      if (factor > 1.0) field = std::max(field, static_cast<int>(value) + 1);
+      if (factor < 1.0) field = std::min(field, static_cast<int>(value) - 1);
+    }
+  });
+}
+
+std::vector<std::string> scalableParameters(const LabelledFrame& frame, const Parameters& parameters) {
+  std::vector<std::string> names;
+  const Parameters resolved = resolvedFor(frame, parameters);
+  visitParameters(resolved, [&names](const char* name, const auto& value, auto, auto) {
+    using T = std::decay_t<decltype(value)>;
+    if constexpr (std::is_same_v<T, int> || std::is_same_v<T, double>) {
+      if (value != T{}) names.emplace_back(name);
+    }
+  });
+  return names;
+}
+
+Parameters LinePrimitiveSegmenter::scaledParameters(const LabelledFrame& frame) const {
+  Parameters parameters = parameters_;
+  if (!scaled_.name.empty()) scaleParameter(scaled_, resolvedFor(frame, parameters_), parameters);
+  return parameters;
+}
+
+int LinePrimitiveSegmenter::gridSpacing(const LabelledFrame& frame, const FrameVariant& variant) const {
+  const Parameters resolved = resolvedFor(frame, scaledParameters(frame));
+  return scaled(resolved.scanlines.scanline_spacing, variant.spacing_factor);
+}
+
+const Segmentation& LinePrimitiveSegmenter::segmentPlanes(const LabelledFrame& frame,
+                                                          const FrameVariant& variant) {
+  Parameters parameters = scaledParameters(frame);
+  parameters.scanlines.scanline_spacing = gridSpacing(frame, variant);
+  int& fine_spacing = parameters.scanlines.fine_spacing;
+  if (fine_spacing != 0) fine_spacing = scaled(fine_spacing, variant.spacing_factor);
+  parameters.outlines.trace_outlines = false;
+  segmenter_.setParameters(parameters);
+  const auto metres_per_unit = static_cast<float>(1.0 / frame.units_per_metre);
+  return segmenter_.segment(viewOf(frame.depthPixels(), frame.depth.cols, frame.depth.rows, metres_per_unit),
+                            frame.camera);
+}
+
+}  // namespace line_plane_segmentation
