@@ -2,7 +2,7 @@
 # Which parts are built. AUTO builds a part if all that it needs is installed; ON ends with an error if something is
 # missing. Within another project's build (add_subdirectory, FetchContent) AUTO is the library alone.
 set(LPS_WITH_ROS AUTO CACHE STRING "Nodelets, messages and bags, which need catkin: AUTO, ON or OFF")
-set(LPS_WITH_TOOLS AUTO CACHE STRING "segment_depth and evaluate_segmentation, which need OpenCV, Boost and nlohmann-json: AUTO, ON or OFF")
+set(LPS_WITH_TOOLS AUTO CACHE STRING "segment_depth and evaluate_segmentation, which need OpenCV, Boost, OpenSSL and nlohmann-json: AUTO, ON or OFF")
 set(LPS_WITH_PYTHON AUTO CACHE STRING "The Python module, which needs pybind11: AUTO, ON or OFF")
 foreach(option LPS_WITH_ROS LPS_WITH_TOOLS LPS_WITH_PYTHON)
   set_property(CACHE ${option} PROPERTY STRINGS AUTO ON OFF)

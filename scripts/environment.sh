@@ -46,12 +46,15 @@ jobs_that_fit() {
   echo $((gigabytes_and_a_half < 1 ? 1 : gigabytes_and_a_half < processors ? gigabytes_and_a_half : processors))
 }
 
-# Runs cmake and prints its output only if it fails: configure FOLDER [OPTION OF cmake]...
+# The last processor that this process may run on. nproc does not tell: it counts, and obeys OMP_NUM_THREADS.
+last_processor() { sed -n 's/^Cpus_allowed_list:.*[^0-9]\([0-9]*\)$/\1/p' /proc/self/status; }
+
+# Prints cmake's output only if it fails: configure FOLDER [OPTION OF cmake]...
 configure() {
   # catkin stores the environment of the first configuration for the tests, with only the folders that exist then.
   # Without this folder, Python tests in a fresh clone would not find the messages.
   mkdir -p "$1/devel/lib/python3/dist-packages"
-  cmake -S "$repository" -B "$1" -DPYTHON_EXECUTABLE=/usr/bin/python3 "${@:2}" >"$1/configure.log" 2>&1 || {
+  cmake -S "$repository" -B "$1" -DPYTHON_EXECUTABLE=/usr/bin/python3 -DCMAKE_EXPORT_COMPILE_COMMANDS=ON "${@:2}" >"$1/configure.log" 2>&1 || {
     cat "$1/configure.log" >&2
     return 1
   }

@@ -9,6 +9,7 @@ are needed: a program that dies after its last case leaves a clean file, one tha
 import argparse
 import collections
 import json
+import os
 import pathlib
 import re
 import subprocess
@@ -80,8 +81,8 @@ def cases_of(test, failed_tests, seen):
     return cases
 
 
-def read_skipped(path):
-    """Excluded tests: {regular expression of names: reason}, from lines with both."""
+def read_patterns(path):
+    """Reasons by regular expressions of tests' names, from lines of both."""
     lines = [line.split(None, 1) for line in path.read_text().splitlines() if line and not line.startswith("#")]
     return {name: reason for name, reason in lines}
 
@@ -105,19 +106,42 @@ def skipped_cases(build, only, without, reasons):
             for name in left_out]
 
 
-def run_ctest(build, selection):
-    """Runs the tests. Returns their ctest descriptions and the names of the failed ones."""
-    tests = list_tests(build, selection)
-    for path in filter(None, map(result_file, tests)):
-        path.unlink(missing_ok=True)
+def batches_of(tests, serial):
+    """The tests in groups that run one after the other, each with how many tests run at a time: programs that compute,
+    one per processor; rostests, which mostly wait, two per processor; tests that must be alone."""
+    processors = os.cpu_count() or 1
+    batches = {"computing": [], "waiting": [], "alone": []}
+    for test in tests:
+        alone = any(re.search(pattern, test["name"]) for pattern in serial)
+        waits = "_rostest_" in test["name"]
+        batches["alone" if alone else "waiting" if waits else "computing"].append(test)
+    return [(batches["computing"], processors), (batches["waiting"], 2 * processors), (batches["alone"], 1)]
 
+
+def run_batch(build, numbers, jobs):
+    """Runs the tests of these numbers; returns the set of names of those that failed."""
     failures = build / "Testing" / "Temporary" / "LastTestsFailed.log"
     failures.unlink(missing_ok=True)
-    status = subprocess.run(["ctest", "--output-on-failure", "--timeout", str(TIMEOUT_SECONDS)] + selection,
-                            cwd=build).returncode
+    # Start, end and stride of 0: only the numbers behind them.
+    selection = ",".join(["0", "0", "0"] + [str(number) for number in numbers])
+    status = subprocess.run(["ctest", "--output-on-failure", "--timeout", str(TIMEOUT_SECONDS), "--parallel", str(jobs),
+                             "--tests-information", selection], cwd=build).returncode
     failed = {line.split(":", 1)[1] for line in failures.read_text().splitlines()} if failures.exists() else set()
     if status != 0 and not failed:
         sys.exit("ctest itself failed (%d)" % status)
+    return failed
+
+
+def run_ctest(build, selection, serial):
+    """Runs the tests; returns their ctest descriptions and the set of names of those that failed."""
+    number_of = {test["name"]: number for number, test in enumerate(list_tests(build, []), 1)}
+    tests = list_tests(build, selection)
+    for path in filter(None, map(result_file, tests)):
+        path.unlink(missing_ok=True)
+    failed = set()
+    for batch, jobs in batches_of(tests, serial):
+        if batch:
+            failed |= run_batch(build, [number_of[test["name"]] for test in batch], jobs)
     return tests, failed
 
 
@@ -125,14 +149,17 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("build", type=pathlib.Path, help="build folder")
     parser.add_argument("--only", metavar="REGEX", help="run only the tests whose name matches")
+    parser.add_argument("--serial", metavar="FILE", type=pathlib.Path,
+                        help="tests that run alone, each with the reason; without it, all of them do")
     parser.add_argument("--skip", metavar="FILE", type=pathlib.Path, help="tests that are left out, each with the reason")
     arguments = parser.parse_args()
 
-    reasons = read_skipped(arguments.skip) if arguments.skip else {}
+    reasons = read_patterns(arguments.skip) if arguments.skip else {}
+    serial = read_patterns(arguments.serial) if arguments.serial else [""]
     only = ["-R", arguments.only] if arguments.only else []
     without = ["-E", "|".join(reasons)] if reasons else []
     cases = skipped_cases(arguments.build, only, without, reasons)
-    tests, failed_tests = run_ctest(arguments.build, only + without)
+    tests, failed_tests = run_ctest(arguments.build, only + without, serial)
     seen = set()
     cases += [case for test in tests for case in cases_of(test, failed_tests, seen)]
 

@@ -39,7 +39,7 @@ po::options_description options() {
 void printHelp() {
   std::cout << "Segments the depth images of a bag, on all cores, as the plane_segmenter does while it is "
                "played.\n\n"
-               "  segment_bag [OPTION]... IN.bag OUT.bag\n\n"
+               "  rosrun line_plane_segmentation segment_bag [OPTION]... IN.bag OUT.bag\n\n"
                "For the images of /camera/depth/image_raw it writes /camera/plane_segmenter/planes and, "
                "where asked "
                "for,\nlabels, cloud, overlay, markers and scanlines, each with the stamp of its image. A "

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What ROS adds to the segmenter's own time, within one process, as in a nodelet manager.
+// The time that ROS adds to the segmenter's own time within one process, as in a nodelet manager.
 #include <ros/console.h>
 #include <ros/master.h>
 #include <ros/ros.h>
@@ -9,7 +9,7 @@
 #include <boost/make_shared.hpp>
 #include <filesystem>
 #include <iostream>
-#include <sstream>
+#include <nlohmann/json.hpp>
 
 #include "command_line.h"
 #include "frame_sources.h"
@@ -18,8 +18,9 @@
 #include "message_path.h"
 #include "output_files.h"
 #include "plane_segmenter_nodelet.h"
+#include "report.h"
+#include "report_program.h"
 #include "run_tool.h"
-#include "table.h"
 
 namespace line_plane_segmentation {
 namespace {
@@ -75,34 +76,26 @@ std::vector<Samples> measure(const std::vector<BenchmarkFrame>& frames, int repe
   return samples;
 }
 
-std::string median(const std::vector<double>& values) { return threeDigits(statisticsOf(values).median); }
-
 std::string markdown(const std::vector<BenchmarkFrame>& frames, const std::vector<Samples>& samples) {
-  Table table({"frame", "size", "planes", "segmenter", "to `PlaneArray`", "ratio", "all topics", "ratio"});
-  double worst = 0.0;
-  double worst_all = 0.0;
+  nlohmann::json data{{"machine", describeProcessor()}, {"frames", nlohmann::json::array()}};
   for (std::size_t i = 0; i < frames.size(); ++i) {
     const Samples& s = samples[i];
-    table.add({frames[i].name, std::to_string(frames[i].width) + 'x' + std::to_string(frames[i].height),
-               std::to_string(s.planes), median(s.segmenter), median(s.answered), median(s.ratio),
-               median(s.all_answered), median(s.all_ratio)});
-    worst = std::max(worst, statisticsOf(s.ratio).median);
-    worst_all = std::max(worst_all, statisticsOf(s.all_ratio).median);
+    data["frames"].push_back({{"frame", frames[i].name},
+                              {"width", frames[i].width},
+                              {"height", frames[i].height},
+                              {"planes", s.planes},
+                              {"segmenter", toJson(statisticsOf(s.segmenter))},
+                              {"answered", toJson(statisticsOf(s.answered))},
+                              {"ratio", toJson(statisticsOf(s.ratio))},
+                              {"all_answered", toJson(statisticsOf(s.all_answered))},
+                              {"all_ratio", toJson(statisticsOf(s.all_ratio))}});
   }
-  std::ostringstream text;
-  text << describeProcessor()
-       << "- Milliseconds that passed, and ratios to the segmenter's own time in the same round; medians of "
-       << samples.front().segmenter.size() << " rounds\n"
-       << "- From the image's publishing in this process until its subscriber has the `PlaneArray`, "
-          "nobody else listening; and until subscribers to all six topics have everything\n\n"
-       << table.markdown() << "\nThe largest ratios: " << threeDigits(worst) << " to the `PlaneArray`, "
-       << threeDigits(worst_all) << " with all topics.\n";
-  return text.str();
+  return makeReport("messages", data);
 }
 
 void benchmarkMessages(int argc, char** argv) {
   ros::init(argc, argv, "benchmark_messages", ros::init_options::AnonymousName | ros::init_options::NoRosout);
-  // What ROS logs goes to the report's stream.
+  // ROS would log to stdout, which is the reports.
   if (ros::console::set_logger_level(ROSCONSOLE_DEFAULT_NAME, ros::console::levels::Warn)) {
     ros::console::notifyLoggerLevelsChanged();
   }

@@ -2,16 +2,16 @@
 #include <algorithm>
 #include <filesystem>
 #include <iostream>
-#include <opencv2/imgcodecs.hpp>
+#include <nlohmann/json.hpp>
 
 #include "command_line.h"
 #include "frame_sources.h"
 #include "output_files.h"
 #include "report.h"
+#include "report_program.h"
 #include "run_tool.h"
 #include "scaling.h"
 #include "segmentation_pictures.h"
-#include "time_picture.h"
 
 namespace line_plane_segmentation {
 namespace {
@@ -36,7 +36,10 @@ po::options_description options() {
       "slow-repetitions", po::value<int>()->value_name("N")->default_value(3), "the same for RANSAC and RGS")(
       "without", po::value<std::vector<std::string>>()->value_name("METHOD")->default_value({}, ""),
       "leaves a method out; may be given more than once")(
-      "warm", "every timed run follows one of the same method on the same frame")(
+      "warm",
+      "times of the stages and of the tables are those of warm runs, each directly after one of the same "
+      "method on the "
+      "same frame; without it, of cold runs, after other methods and frames. Both are measured")(
       "pictures",
       "also writes what each method finds in each frame to DIR: FRAME.METHOD.png, and all of them "
       "beside each other, segmentations.png")(
@@ -47,14 +50,14 @@ po::options_description options() {
 
 std::vector<std::string> allNames() {
   std::vector<std::string> names;
-  for (const Contestant& method : allContestants()) names.push_back(method.name);
+  for (const BenchmarkMethod& method : allMethods()) names.push_back(method.name);
   return names;
 }
 
 void printHelp() {
   std::cout << "Measures this method beside OMPS, RANSAC and region growing (RGS) from PCL, in one thread, "
                "in turn.\n\n"
-               "  benchmark_segmentation [OPTION]...\n\n"
+               "  rosrun line_plane_segmentation benchmark_segmentation [OPTION]...\n\n"
             << options() << "\nMethods:";
   for (const std::string& name : allNames()) std::cout << ' ' << name;
   std::cout << '\n';
@@ -95,34 +98,20 @@ std::vector<BenchmarkFrame> framesOf(const po::variables_map& given) {
   return frames;
 }
 
-std::vector<unsigned char> encodePng(const cv::Mat& image) {
-  std::vector<unsigned char> bytes;
-  cv::imencode(".png", image, bytes);
-  return bytes;
-}
-
 void writeResults(const fs::path& folder, const BenchmarkResults& results, const std::string& report) {
-  std::vector<Measurement> scaling = results.sizes;
-  scaling.insert(scaling.end(), results.planes.begin(), results.planes.end());
+  const nlohmann::json data = reportData(results);
   OutputFiles files;
   files.add(folder / "benchmark.md", report);
-  files.add(folder / "times.csv", timesCsv(results.frames));
-  files.add(folder / "stages.csv", stagesCsv(results.frames));
-  files.add(folder / "scaling.csv", timesCsv(scaling));
-  files.add(folder / "times.png", encodePng(drawTimes(results.frames)));
+  files.add(folder / "times.csv", makeReport("times_csv", data));
+  files.add(folder / "stages.csv", makeReport("stages_csv", data));
+  files.add(folder / "scaling.csv", makeReport("times_csv", scalingData(results)));
+  files.add(folder / "times.png", makeReport("times", data));
   files.commit();
 }
 
-// Of the frames at their full size.
-void writePictures(const fs::path& folder, const std::vector<BenchmarkFrame>& frames,
-                   const std::vector<Contestant>& methods) {
-  const std::vector<BenchmarkFrame> full(frames.begin(),
-                                         frames.begin() + static_cast<std::ptrdiff_t>(frames.size() / 2));
-  const SegmentationPictures pictures = drawSegmentations(full, methods);
-  OutputFiles files;
-  for (const auto& [name, picture] : pictures.single) files.add(folder / (name + ".png"), encodePng(picture));
-  files.add(folder / "segmentations.png", encodePng(pictures.sheet));
-  files.commit();
+// Frames at their full size.
+std::vector<BenchmarkFrame> fullSize(const std::vector<BenchmarkFrame>& frames) {
+  return {frames.begin(), frames.begin() + static_cast<std::ptrdiff_t>(frames.size() / 2)};
 }
 
 void benchmarkSegmentation(int argc, char** argv) {
@@ -137,17 +126,19 @@ void benchmarkSegmentation(int argc, char** argv) {
   if (given.count("out") != 0) makeOutputFolder(given["out"].as<std::string>());
 
   BenchmarkResults results;
-  const std::vector<Contestant> engines = contestants(methods);
+  const std::vector<BenchmarkMethod> engines = selectMethods(methods);
   results.frames = measure(frames, engines, how);
   if (given.count("no-scaling") == 0) {
     results.sizes = measureSizes(how);
     results.planes = measurePlanes(how);
     results.cameras = measureCameras(how);
   }
-  const std::string report = markdownReport(results);
+  const std::string report = makeReport("markdown", reportData(results));
   std::cout << report;
   if (given.count("out") != 0) writeResults(given["out"].as<std::string>(), results, report);
-  if (given.count("pictures") != 0) writePictures(given["out"].as<std::string>(), frames, engines);
+  if (given.count("pictures") != 0) {
+    writeSegmentationPictures(given["out"].as<std::string>(), fullSize(frames), engines);
+  }
 }
 
 }  // namespace

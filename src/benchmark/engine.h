@@ -13,24 +13,24 @@ namespace line_plane_segmentation {
 /// Times of the stages of one frame [ms].
 using StageTimes = std::array<double, kStageCount>;
 
-/// A method that finds planes in depth images, as the benchmark runs it.
+/// A method that segments planes in depth images, as the benchmark runs it.
 class Engine {
  public:
   virtual ~Engine() = default;
 
-  /// Takes the frame that segment() works on, and brings it into the form that the method reads. Not timed.
-  /// @param frame  lives until the next call
+  /// Sets the frame for segment() and converts it to the method's input format. Not timed.
+  /// @param frame  has to outlive its use, until the next call
   virtual void load(const BenchmarkFrame& frame) = 0;
 
-  /// Finds the planes of the loaded frame. Timed, and may be called again.
-  /// @return how many were found
+  /// Segments the loaded frame. Timed; may be called repeatedly.
+  /// @return number of planes
   virtual int segment() = 0;
 
-  /// The label of every pixel of the loaded frame, row by row: 0 no plane, k the k-th plane. Finds the planes
-  /// once more, if it has to. Not timed.
+  /// The label of every pixel of the loaded frame, row by row: 0 no plane, k the k-th plane. Segments the
+  /// frame again if needed. Not timed.
   virtual std::vector<std::uint16_t> labels() = 0;
 
-  /// Of the last call of segment(); null if the method is not made of this package's stages.
+  /// Times of the last call of segment(); null if the method does not have this package's stages.
   virtual const StageTimes* stageTimes() const { return nullptr; }
 };
 

@@ -6,6 +6,7 @@
 
 #include "depth_frames.h"
 #include "line_plane_segmentation/simulation/simulation.h"
+#include "run_tool.h"
 
 namespace line_plane_segmentation {
 namespace {
@@ -17,8 +18,8 @@ BenchmarkFrame emptyFrame(const std::string& name, int width, int height) {
   return {name, width, height, kinectIntrinsics(width, height), 0.001F, std::vector<std::uint16_t>(pixels)};
 }
 
-/// A cell of a grid over the picture, on the plane z = 1, and how far away its content stands. Neighbours
-/// stand at different depths, so that what is in them makes no common plane.
+/// Cell of a grid over the image, on the plane z = 1, and the depth of its content. The contents of
+/// neighbours have different depths, so that they form no common plane.
 struct Cell {
   double x, y, width, height;
   double depth;  // [m]
@@ -73,6 +74,8 @@ std::vector<BenchmarkFrame> recordedFrames(const std::filesystem::path& folder) 
   std::vector<BenchmarkFrame> frames;
   for (const DepthFrame& from : listed) {
     const cv::Mat image = readDepth(from);
+    if (image.depth() != CV_16U)
+      throw BadInput(from.image.string() + ": is not an image of 16 bits, as the benchmark needs");
     BenchmarkFrame frame{
         from.name, image.cols, image.rows, from.camera, static_cast<float>(1.0 / from.units_per_metre), {}};
     for (int v = 0; v < image.rows; ++v) {

@@ -12,15 +12,15 @@ namespace line_plane_segmentation {
 /// @throws BadInput if something cannot be read
 std::vector<BenchmarkFrame> recordedFrames(const std::filesystem::path& folder);
 
-/// What a simulated Kinect sees in furnished rooms, one frame of each; the same on every machine.
-/// @param count  of rooms
+/// Depth images of a simulated Kinect in furnished rooms, one per room; the same on every machine.
+/// @param count  number of rooms
 std::vector<BenchmarkFrame> simulatedRooms(int count, int width, int height);
 
-/// A picture of `planes` tilted tiles side by side, which fill it as well as they can; for 0 of balls.
+/// Depth image of `planes` tilted tiles side by side, which fill most of it; of balls if `planes` is 0.
 /// @param planes  0 to 100
 BenchmarkFrame simulatedTiles(int planes, int width, int height);
 
-/// Every second pixel of every second row, as the paper makes QVGA from VGA.
+/// Every second pixel of every second row, which is how the paper makes QVGA from VGA.
 BenchmarkFrame halved(const BenchmarkFrame& frame);
 
 }  // namespace line_plane_segmentation

@@ -4,10 +4,9 @@
 #include <Eigen/Core>
 #include <cstdlib>
 #include <fstream>
+#include <iomanip>
 #include <sstream>
 #include <thread>
-
-#include "table.h"
 
 namespace line_plane_segmentation {
 namespace {
@@ -23,14 +22,17 @@ std::string processorName() {
 
 std::string loadAverage() {
   double load = 0.0;
-  return getloadavg(&load, 1) == 1 ? threeDigits(load) : "unknown";
+  if (getloadavg(&load, 1) != 1) return "unknown";
+  std::ostringstream text;
+  text << std::setprecision(2) << std::fixed << load;
+  return text.str();
 }
 
 }  // namespace
 
 std::string describeProcessor() {
   return "- " + processorName() + ", " + std::to_string(std::thread::hardware_concurrency()) +
-         " processors at hand; load average at the end " + loadAverage() + '\n';
+         " processors; load average at the end " + loadAverage() + '\n';
 }
 
 std::string describeMachine() {
@@ -41,11 +43,11 @@ std::string describeMachine() {
        << " as the distribution compiled it; `_avx2`: its templates compiled here with `-mavx2 -mfma`\n"
        << "- Eigen " << EIGEN_WORLD_VERSION << '.' << EIGEN_MAJOR_VERSION << '.' << EIGEN_MINOR_VERSION
        << '\n'
-       << "- Times are processor time of the process, which has one thread. Each method gets a frame before "
-          "the "
-          "next frame comes, round after round. PCL's clouds are made outside of its times; this method "
-          "starts "
-          "from the 16-bit depth image.\n";
+       << "- Times are processor time of the process, which has one thread, unless called wall time. In each "
+          "round every "
+          "method gets a frame before the next frame comes. Making PCL's clouds is not timed; this method "
+          "starts from "
+          "the 16-bit depth image.\n";
   return text.str();
 }
 

@@ -80,7 +80,7 @@ MessagePath::MessagePath(nodelet::Loader& loader, const std::string& name_space,
   }
 }
 
-// An answer that is so late that the next frame has been sent is none to that one.
+// An output that arrives after the next frame was sent does not count for that frame.
 template <typename Message>
 void MessagePath::subscribe(const std::string& topic) {
   subscribers_.push_back(

@@ -14,31 +14,31 @@
 
 namespace line_plane_segmentation {
 
-/// What became of one frame.
+/// Result and times of one frame.
 struct MessageTimes {
   int planes = 0;
   double segmenter = 0.0;  ///< [ms] of the segmenter alone
-  double answered = 0.0;   ///< [ms] from publishing the image until the last output was here
+  double answered = 0.0;   ///< [ms] from publishing the image until the last output has arrived
 };
 
-/// The segmenter nodelet in this process, the camera that it listens to, and subscribers to its outputs: the
-/// way of a frame in a nodelet manager, where no message is serialised.
+/// The segmenter nodelet in this process, a publisher of its images, and subscribers to its outputs. As in a
+/// nodelet manager, no message is serialised.
 class MessagePath {
  public:
   /// @param loader      of nodelets; must outlive this
   /// @param name_space  where the nodelet and its topics are
-  /// @param outputs     of the nodelet, that are subscribed to; `planes` is one of them
+  /// @param outputs     of the nodelet to subscribe to, including `planes`
   MessagePath(nodelet::Loader& loader, const std::string& name_space,
               const std::vector<std::string>& outputs);
   MessagePath(const MessagePath&) = delete;
   MessagePath& operator=(const MessagePath&) = delete;
 
-  /// Publishes the frame until it has been answered by every output, so that all connections stand.
+  /// Publishes the frame until every output has arrived once, so that all connections are established.
   /// @throws std::runtime_error if that takes too long
   void connect(const BenchmarkFrame& frame);
 
   /// Publishes the frame and waits for every output.
-  /// @throws std::runtime_error if one does not come
+  /// @throws std::runtime_error if one does not arrive
   MessageTimes send(const BenchmarkFrame& frame);
 
  private:
@@ -54,7 +54,7 @@ class MessagePath {
   ros::Publisher images_, infos_;
   std::vector<ros::Subscriber> subscribers_;
   std::uint32_t number_ = 0;  // of the frame, its stamp
-  std::size_t answers_ = 0;   // outputs of this frame that came
+  std::size_t answers_ = 0;   // number of outputs of this frame that have arrived
   MessageTimes times_;
 };
 

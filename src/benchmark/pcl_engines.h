@@ -7,7 +7,7 @@
 
 namespace line_plane_segmentation {
 
-/// The paper's peers, all from the Point Cloud Library.
+/// The paper's baselines, all from the Point Cloud Library.
 enum class PclMethod {
   kOmps,         ///< organised multi-plane segmentation
   kOmpsRefined,  ///< the same with its refinement
@@ -15,10 +15,10 @@ enum class PclMethod {
   kRegionGrowing,
 };
 
-/// A peer from PCL's shared libraries, as the distribution compiled them.
+/// A baseline from PCL's shared libraries, as the distribution compiled them.
 std::unique_ptr<Engine> makePclEngine(PclMethod method);
 
-/// A peer whose templates were compiled here with AVX2 and FMA. Only for processors that have them.
+/// A baseline whose templates were compiled here with AVX2 and FMA. Only for processors that have them.
 /// @return null for region growing
 /// Defined where PCL_ENGINES_WITH_AVX2 is.
 std::unique_ptr<Engine> makePclEngineWithAvx2(PclMethod method);

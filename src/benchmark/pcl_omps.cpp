@@ -2,7 +2,7 @@
 #include <pcl/features/integral_image_normal.h>
 #include <pcl/segmentation/organized_multi_plane_segmentation.h>
 
-#include "pcl_peers.h"
+#include "pcl_baselines.h"
 
 namespace line_plane_segmentation {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <numeric>
 
-#include "pcl_peers.h"
+#include "pcl_baselines.h"
 
 namespace line_plane_segmentation {
 namespace {

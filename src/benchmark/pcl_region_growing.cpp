@@ -5,7 +5,7 @@
 
 #include <limits>
 
-#include "pcl_peers.h"
+#include "pcl_baselines.h"
 
 namespace line_plane_segmentation {
 namespace {

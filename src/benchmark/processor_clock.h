@@ -3,9 +3,9 @@
 
 namespace line_plane_segmentation {
 
-/// Processor time that this process has used [ms]. In a process of one thread it is the time that has passed,
-/// less what other programs took of the processor: a long run would suffer from them where a short one slips
-/// through, and ratios would tell about the machine's load.
+/// Processor time that this process has used [ms]. Unlike wall time it excludes the time in which other
+/// programs use the processor. These interrupt long runs more often than short ones, so ratios of wall times
+/// depend on the load.
 double processorMilliseconds();
 
 }  // namespace line_plane_segmentation

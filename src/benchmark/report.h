@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <string>
+#include <nlohmann/json_fwd.hpp>
 #include <vector>
 
 #include "measurement.h"
@@ -9,27 +9,20 @@
 
 namespace line_plane_segmentation {
 
-/// All that a run of the benchmark measured.
+/// Results of a run of the benchmark.
 struct BenchmarkResults {
-  std::vector<Measurement> frames;  ///< VGA and QVGA, say
-  std::vector<Measurement> sizes, planes;
-  std::vector<CameraLoad> cameras;
+  std::vector<Measurement> frames;         ///< at full size, and at half the size
+  std::vector<Measurement> sizes, planes;  ///< empty if not measured
+  std::vector<CameraLoad> cameras;         ///< empty if not measured
 };
 
-/// The paper's four tables and the scaling, as Markdown.
-std::string markdownReport(const BenchmarkResults& results);
+/// The results as report/tables.py and report/plots.py read them.
+nlohmann::json reportData(const BenchmarkResults& results);
 
-/// One row for each method on each frame: median, minimum, maximum [ms], planes, ratio.
-std::string timesCsv(const std::vector<Measurement>& measurements);
+/// The same for scaling.csv: the measurements of `sizes` and `planes` in place of `frames`.
+nlohmann::json scalingData(const BenchmarkResults& results);
 
-/// One row for each stage of this method on each frame.
-std::string stagesCsv(const std::vector<Measurement>& measurements);
-
-/// The measurement of one method on one frame of one size; null if there is none.
-const Measurement* find(const std::vector<Measurement>& all, const Measurement& on_frame_of,
-                        const std::string& method);
-
-/// The reference's median over the measurement's on the same frame; 0 if it was left out.
-double ratioToReference(const std::vector<Measurement>& all, const Measurement& measurement);
+/// Statistics as an object.
+nlohmann::json toJson(const Statistics& statistics);
 
 }  // namespace line_plane_segmentation

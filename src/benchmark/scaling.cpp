@@ -23,7 +23,7 @@ std::vector<Measurement> measureSizes(const MeasurementOptions& options) {
                                                {960, 540}, {1280, 720}, {1920, 1080}};
   std::vector<BenchmarkFrame> frames;
   for (const auto& [width, height] : sizes) frames.push_back(simulatedRooms(1, width, height).front());
-  return measure(frames, contestants(kCompared), options);
+  return measure(frames, selectMethods(kCompared), options);
 }
 
 std::vector<Measurement> measurePlanes(const MeasurementOptions& options) {
@@ -31,7 +31,7 @@ std::vector<Measurement> measurePlanes(const MeasurementOptions& options) {
   for (const int planes : {0, 1, 2, 5, 10, 20, 30, 40, 50}) {
     frames.push_back(simulatedTiles(planes, kVgaWidth, kVgaHeight));
   }
-  return measure(frames, contestants(kCompared), options);
+  return measure(frames, selectMethods(kCompared), options);
 }
 
 std::vector<CameraLoad> measureCameras(const MeasurementOptions& options) {

@@ -1,24 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <opencv2/core.hpp>
-#include <string>
-#include <utility>
+#include <filesystem>
 #include <vector>
 
 #include "benchmark_frame.h"
-#include "contestants.h"
+#include "methods.h"
 
 namespace line_plane_segmentation {
 
-/// What methods find in frames, for people to look at.
-struct SegmentationPictures {
-  std::vector<std::pair<std::string, cv::Mat>> single;  ///< named "FRAME.METHOD", as large as the frame
-  cv::Mat sheet;                                        ///< a row for each frame, a column for each method
-};
-
-/// Runs every method on every frame once more, and draws the labels that it gives over the depth image.
-SegmentationPictures drawSegmentations(const std::vector<BenchmarkFrame>& frames,
-                                       const std::vector<Contestant>& methods);
+/// Runs every method on every frame once more and writes overlays of the labels to the folder:
+/// FRAME.METHOD.png for each, and segmentations.png with a row for each frame and a column for each method.
+/// @throws BadInput if a file cannot be written
+void writeSegmentationPictures(const std::filesystem::path& folder, const std::vector<BenchmarkFrame>& frames,
+                               const std::vector<BenchmarkMethod>& methods);
 
 }  // namespace line_plane_segmentation

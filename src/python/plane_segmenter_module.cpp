@@ -10,7 +10,7 @@
 #include "depth_array.h"
 #include "line_plane_segmentation/parameters.h"
 #include "line_plane_segmentation/plane_segmenter.h"
-#include "line_plane_segmentation/ros/palette.h"
+#include "line_plane_segmentation/palette.h"
 #include "line_plane_segmentation/stage_clock.h"
 #include "modules.h"
 #include "numeric_arguments.h"

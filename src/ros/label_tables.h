@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "line_plane_segmentation/palette.h"
 #include "line_plane_segmentation/ros/conversions.h"
-#include "line_plane_segmentation/ros/palette.h"
 
 namespace line_plane_segmentation {
 

@@ -10,7 +10,7 @@
 #include <boost/make_shared.hpp>
 #include <cstdint>
 
-#include "line_plane_segmentation/ros/palette.h"
+#include "line_plane_segmentation/palette.h"
 
 namespace line_plane_segmentation {
 

@@ -50,7 +50,7 @@ void addLeaningBoard(const Eigen::Isometry3d& place, Random& random, Scene& scen
 /// @param place  on the floor at the middle of its low edge
 void addRamp(const Eigen::Isometry3d& place, Random& random, Scene& scene);
 
-/// Somebody who stands there: curved throughout.
+/// A standing person, with curved surfaces only.
 void addPerson(const Eigen::Vector3d& foot, Random& random, Scene& scene);
 
 }  // namespace line_plane_segmentation::simulation

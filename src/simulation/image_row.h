@@ -54,9 +54,9 @@ struct ColumnSpan {
   int end() const { return static_cast<int>(std::floor(last)) + 1; }
 };
 
-/// The row of the picture that is being made.
+/// The row that is being rendered.
 struct ImageRow {
-  std::vector<double> inverse_depth;  ///< [1/m] of the nearest surface yet, 0 = none
+  std::vector<double> inverse_depth;  ///< [1/m] of the nearest surface so far, 0 = none
   std::vector<std::int64_t> labels;   ///< as wide as the depths, for the sake of vectorised loops
 
   explicit ImageRow(std::size_t width) : inverse_depth(width), labels(width) {}

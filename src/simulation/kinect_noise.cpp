@@ -13,7 +13,7 @@
 namespace line_plane_segmentation::simulation {
 namespace {
 
-/// What a pixel's random numbers are for; each takes a counter of its own.
+/// Purposes of a pixel's random numbers; each has its own counter.
 enum Draw : std::uint64_t { kTosses, kFill, kDropout, kDrawsPerPixel };
 
 /// The random numbers of one frame.
@@ -77,7 +77,7 @@ class GrazingModel {
   }
 
   /// @param reach  [m] of the pixel's point from the camera, along its ray, squared
-  /// @return the missing share, 0 to 1
+  /// @return the missing fraction, 0 to 1
   double missingShare(std::uint16_t label, double squared_reach) const {
     const double d = distances_[label];
     if (d * d >= start_ * start_ * squared_reach) return 0.0;

@@ -18,7 +18,7 @@ class ProjectedBody {
   /// A body is seen from outside, a vault from within.
   bool visible() const { return vault_ ? c_ < 0.0 : c_ > 0.0; }
 
-  /// Puts the body, which is visible, into row `v`, where it is nearer than what is there.
+  /// Renders the body, which has to be visible, into row `v` where it is nearer than the surfaces there.
   void draw(int v, ImageRow& row) const;
 
  private:

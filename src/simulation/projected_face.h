@@ -19,7 +19,7 @@ class ProjectedFace {
   ProjectedFace(const std::vector<Eigen::Vector3d>& vertices, const VisiblePlane& plane,
                 const CameraIntrinsics& k, int height);
 
-  /// Puts the face into row `v`, where it is nearer than what is there.
+  /// Renders the face into row `v` where it is nearer than the surfaces there.
   void draw(int v, ImageRow& row) const;
 
  private:

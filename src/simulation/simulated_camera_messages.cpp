@@ -13,7 +13,7 @@ sensor_msgs::ImagePtr imageMessage(const std_msgs::Header& header, int width, in
   return makeImage(header, sensor_msgs::image_encodings::TYPE_16UC1, width, height, sizeof(std::uint16_t));
 }
 
-// What a vector allocates is aligned for every type.
+// Memory that a vector allocates is aligned for every fundamental type.
 std::uint16_t* pixelsOf(sensor_msgs::Image& image) {
   return static_cast<std::uint16_t*>(static_cast<void*>(image.data.data()));
 }

@@ -19,7 +19,7 @@ sensor_msgs::ImagePtr imageMessage(const std_msgs::Header& header, int width, in
 /// The pixels of a 16UC1 image in this machine's byte order.
 std::uint16_t* pixelsOf(sensor_msgs::Image& image);
 
-/// The labels of a picture, 16UC1.
+/// The labels of an image, 16UC1.
 sensor_msgs::ImagePtr labelsMessage(const std_msgs::Header& header, const simulation::Rendering& picture);
 
 /// @param header  stamp, and the frame that has this pose in `parent_frame`

@@ -25,11 +25,11 @@ namespace line_plane_segmentation {
 /// `depth/camera_info`, and on demand `depth/labels` (16UC1, the exact label of every pixel's plane). Its
 /// pose goes to /tf, so that the vertical is known.
 ///
-/// Time goes on with every tick of the timer, whether or not somebody looks; pictures are taken only
-/// while somebody does. What is published is never touched again.
+/// Time advances with every tick of the timer, with or without subscribers. Images are rendered only while
+/// there are subscribers. Published messages are never modified.
 class SimulatedCameraNodelet : public nodelet::Nodelet {
  private:
-  // Nothing may be thrown out of here: nodelet would go on using what it has deleted.
+  // No exception may leave this function: nodelet would use memory after freeing it.
   void onInit() override {
     try {
       start();
@@ -64,7 +64,7 @@ class SimulatedCameraNodelet : public nodelet::Nodelet {
     header.stamp = ros::Time::now();
     header.frame_id = parameters_.frame_id;
     const double seconds = static_cast<double>(frame_) / parameters_.rate;
-    // The pose goes out before the picture that needs it.
+    // The pose is published before the image that needs it.
     if (tf_broadcaster_) {
       tf_broadcaster_->sendTransform(
           transformMessage(camera_->pose(seconds), header, parameters_.world_frame));

@@ -9,7 +9,7 @@
 
 namespace line_plane_segmentation {
 
-/// What the simulated camera is told when it starts. Names on the parameter server: `~seed`, `~width`,
+/// The simulated camera's settings at the start. Names on the parameter server: `~seed`, `~width`,
 /// `~height` (default: three quarters of the width), `~noise`, and the members below.
 struct SimulatedCameraParameters {
   simulation::SimulatedCamera::Options camera;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <boost/algorithm/string.hpp>
 #include <cctype>
+#include <fstream>
 
 #include "run_tool.h"
 
@@ -18,17 +19,20 @@ struct Dataset {
   const char* prefix;  // of the depth images, where there are other images beside them
   const char* suffix;
   bool largest_is_none;
+  bool in_depth_folder;  // the images are in FOLDER/depth, other images in FOLDER
   const char* help;
 };
 
 constexpr Dataset kDatasets[] = {
-    {"tum", 5000, "", ".png", false,
+    {"tum", 5000, "", ".png", false, false,
      "TUM RGB-D: FOLDER/depth/*.png; intrinsics by freiburg1, 2 or 3 in FOLDER's name"},
-    {"icl_nuim", 5000, "", ".png", false, "ICL-NUIM in TUM's format: FOLDER/depth/*.png"},
-    {"nyu", 1000, "sync_depth_", ".png", false,
+    {"icl_nuim", 5000, "", ".png", false, false, "ICL-NUIM in TUM's format: FOLDER/depth/*.png"},
+    {"nyu", 1000, "sync_depth_", ".png", false, false,
      "NYU Depth v2 as PNGs in the colour camera's view: FOLDER/sync_depth_*.png, FOLDER/*.png or "
      "FOLDER/depth/*.png"},
-    {"7scenes", 1000, "", ".depth.png", true, "7-Scenes: FOLDER/*.depth.png of one seq-NN"},
+    {"7scenes", 1000, "", ".depth.png", true, false, "7-Scenes: FOLDER/*.depth.png of one seq-NN"},
+    {"scannet", 1000, "", ".png", false, true,
+     "ScanNet as its SensReader exports it: FOLDER/depth/*.png, FOLDER/intrinsic/intrinsic_depth.txt"},
 };
 
 // Intrinsics as published with each data set, of the camera in whose view the depth images are.
@@ -50,11 +54,29 @@ std::string sequenceName(const fs::path& folder) {
   return (whole.has_filename() ? whole : whole.parent_path()).filename().string();
 }
 
+// A 4x4 matrix, row by row.
+CameraIntrinsics cameraOfScanNet(const fs::path& folder) {
+  for (const char* name : {"intrinsic/intrinsic_depth.txt", "intrinsic_depth.txt", "intrinsics_depth.txt"}) {
+    const fs::path file = folder / name;
+    if (!fs::exists(file)) continue;
+    std::ifstream stream(file);
+    double matrix[16];
+    for (double& element : matrix) {
+      if (!(stream >> element)) throw BadInput(file.string() + ": is not a matrix of 4 x 4 numbers");
+    }
+    const CameraIntrinsics camera{matrix[0], matrix[5], matrix[2], matrix[6]};
+    if (!camera.isValid()) throw BadInput(file.string() + ": holds no valid intrinsics");
+    return camera;
+  }
+  throw BadInput(folder.string() + ": there is no intrinsic/intrinsic_depth.txt; give --camera");
+}
+
 CameraIntrinsics cameraOf(const Dataset& dataset, const fs::path& folder) {
   const std::string name = dataset.name;
   if (name == "icl_nuim") return {481.2, 480.0, 319.5, 239.5};
   if (name == "nyu") return {518.85790117450188, 519.46961112127485, 325.58244941119034, 253.73616633400465};
   if (name == "7scenes") return {585.0, 585.0, 320.0, 240.0};
+  if (name == "scannet") return cameraOfScanNet(folder);
   const std::string sequence = sequenceName(folder);
   for (std::size_t i = 0; i < 3; ++i) {
     const std::string number = std::to_string(i + 1);
@@ -123,7 +145,7 @@ std::vector<std::string> imagesIn(const fs::path& folder, const std::string& pre
 
 }  // namespace
 
-std::string datasetNames() { return "tum, icl_nuim, nyu and 7scenes"; }
+std::string datasetNames() { return "tum, icl_nuim, nyu, 7scenes and scannet"; }
 
 std::string datasetHelp() {
   std::string text = "Data sets\n";
@@ -134,13 +156,24 @@ std::string datasetHelp() {
   return text;
 }
 
-std::vector<std::string> imagesIn(const fs::path& folder) { return imagesIn(folder, "", ".png"); }
+std::vector<std::string> imagesIn(const fs::path& folder) {
+  if (!fs::is_directory(folder)) throw BadInput(folder.string() + ": no such folder");
+  std::vector<std::string> images;
+  for (const fs::path& place : {folder, folder / "depth"}) {
+    for (const std::string& extension : depthFormats()) {
+      if (images.empty()) images = imagesDirectlyIn(place, "", extension);
+    }
+  }
+  if (images.empty()) throw BadInput(folder.string() + ": there is no *.png, nor in its depth/");
+  return images;
+}
 
 std::vector<DepthFrame> framesOfDataset(const std::string& name, const fs::path& folder,
                                         const std::optional<CameraIntrinsics>& camera,
                                         const std::optional<double>& units_per_metre) {
   const Dataset& dataset = datasetOf(name);
-  const std::vector<std::string> images = imagesIn(folder, dataset.prefix, dataset.suffix);
+  const std::vector<std::string> images =
+      imagesIn(dataset.in_depth_folder ? folder / "depth" : folder, dataset.prefix, dataset.suffix);
   std::vector<DepthFrame> frames = framesOfImages(images, camera ? *camera : cameraOf(dataset, folder),
                                                   units_per_metre.value_or(dataset.units_per_metre));
   const std::size_t beyond_stem = std::string(dataset.suffix).size() - std::string(".png").size();

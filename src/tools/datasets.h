@@ -10,14 +10,15 @@
 
 namespace line_plane_segmentation {
 
-/// The names of the data sets whose layout is known: "tum, icl_nuim, nyu and 7scenes".
+/// The names of the data sets whose layout is known: "tum, icl_nuim, nyu, 7scenes and scannet".
 std::string datasetNames();
 
-/// What is known of the data sets, for --help.
+/// Describes the known data sets, for --help.
 std::string datasetHelp();
 
 /// The frames of a sequence of a data set, in their order, with its depth scale and intrinsics.
-/// @param dataset  "tum", whose intrinsics go by the sequence's name, "icl_nuim", "nyu" or "7scenes"
+/// @param dataset  "tum", whose intrinsics depend on the sequence's name, "icl_nuim", "nyu", "7scenes" or
+/// "scannet"
 /// @param folder   of one sequence, as it is when unpacked
 /// @param camera, units_per_metre  in place of the data set's own
 /// @throws BadInput if there is no such data set or folder, or no image in it
@@ -25,8 +26,9 @@ std::vector<DepthFrame> framesOfDataset(const std::string& dataset, const std::f
                                         const std::optional<CameraIntrinsics>& camera,
                                         const std::optional<double>& units_per_metre);
 
-/// The PNGs of a folder, or if it has none of its subfolder depth/, in their order: numbers in their names
-/// count as numbers. Results of segment_depth are passed over.
+/// The PNGs of a folder, ordered by name with numbers compared as numbers. Without PNGs, the images of the
+/// first other format of depthFormats(); without any, those of its subfolder depth/. Results of segment_depth
+/// are skipped.
 /// @throws BadInput if there are none
 std::vector<std::string> imagesIn(const std::filesystem::path& folder);
 

@@ -4,14 +4,13 @@
 #include <algorithm>
 #include <boost/algorithm/string.hpp>
 #include <boost/lexical_cast/try_lexical_convert.hpp>
-#include <boost/tokenizer.hpp>
 #include <cmath>
 #include <fstream>
 #include <limits>
 #include <map>
 #include <set>
 
-#include "image16.h"
+#include "image_file.h"
 #include "run_tool.h"
 
 namespace line_plane_segmentation {
@@ -28,16 +27,33 @@ double parseNumber(const std::string& text) {
 void checkScale(double units_per_metre) {
   const auto metres_per_unit = static_cast<float>(1.0 / units_per_metre);
   if (!(metres_per_unit > 0.0F && std::isfinite(metres_per_unit))) {
-    throw BadInput("the depth scale must be a positive number, the units of a metre, such as 1000");
+    throw BadInput("the depth scale, --units-per-metre, must be a positive number such as 1000");
   }
 }
 
-// Commas separate, double quotes keep commas.
+// Cells of a CSV line (RFC 4180). Boost's escaped_list_separator drops "" within quotes.
 Row splitRow(std::string line) {
   if (!line.empty() && line.back() == '\r') line.pop_back();
-  const boost::escaped_list_separator<char> commas("", ",", "\"");
-  const boost::tokenizer<boost::escaped_list_separator<char>> cells(line, commas);
-  return {cells.begin(), cells.end()};
+  Row cells(1);
+  bool quoted = false;
+  for (std::size_t i = 0; i < line.size(); ++i) {
+    const bool is_quote = line[i] == '"';
+    if (quoted && is_quote && i + 1 < line.size() && line[i + 1] == '"') {
+      cells.back() += line[++i];
+    } else if (is_quote && (quoted || cells.back().empty())) {
+      quoted = !quoted;
+    } else if (line[i] == ',' && !quoted) {
+      cells.emplace_back();
+    } else {
+      cells.back() += line[i];
+    }
+  }
+  if (quoted) throw BadInput("a quote is not closed");
+  return cells;
+}
+
+void dropByteOrderMark(std::string& line) {
+  if (line.rfind("\xEF\xBB\xBF", 0) == 0) line.erase(0, 3);
 }
 
 // The cells of one row by the names of their columns.
@@ -64,13 +80,21 @@ class NamedRow {
   std::map<std::string, std::string> cells_;
 };
 
+// The first that exists; FRAME.png if none does.
+std::filesystem::path imageOf(const std::string& name, const std::filesystem::path& folder) {
+  for (const std::string& extension : depthFormats()) {
+    if (std::filesystem::exists(folder / (name + extension))) return folder / (name + extension);
+  }
+  return folder / (name + ".png");
+}
+
 DepthFrame frameOfRow(const NamedRow& row, const std::filesystem::path& folder) {
   DepthFrame frame;
   frame.name = row.text("frame");
   if (frame.name.empty() || frame.name.find('/') != std::string::npos) {
     throw BadInput("'" + frame.name + "' is no name of a frame");
   }
-  frame.image = folder / "depth" / (frame.name + ".png");
+  frame.image = imageOf(frame.name, folder / "depth");
   frame.camera = {row.number("fx"), row.number("fy"), row.number("cx"), row.number("cy")};
   if (!frame.camera.isValid()) throw BadInput("the focal lengths must be positive");
   frame.units_per_metre = row.number("units_per_metre");
@@ -83,6 +107,11 @@ DepthFrame frameOfRow(const NamedRow& row, const std::filesystem::path& folder) 
 std::string sizeText(int width, int height) { return std::to_string(width) + " x " + std::to_string(height); }
 
 }  // namespace
+
+const std::vector<std::string>& depthFormats() {
+  static const std::vector<std::string> formats{".png", ".npy", ".tiff", ".tif", ".exr", ".pgm"};
+  return formats;
+}
 
 CameraIntrinsics parseCamera(const std::string& text) {
   std::vector<std::string> parts;
@@ -105,7 +134,7 @@ std::vector<DepthFrame> framesOfImages(const std::vector<std::string>& images, c
   checkScale(units_per_metre);
   std::vector<DepthFrame> frames;
   for (const std::filesystem::path image : images) {
-    frames.push_back({image.stem().string(), image, camera, units_per_metre, 0, 0, false});
+    frames.push_back({image.stem().string(), image, camera, units_per_metre, 0, 0, false, kDefaultMaxPixels});
   }
   return frames;
 }
@@ -119,6 +148,7 @@ std::vector<DepthFrame> framesOfTable(const std::filesystem::path& table) {
   std::vector<DepthFrame> frames;
   int line_number = 1;
   try {
+    dropByteOrderMark(line);
     const Row columns = splitRow(line);
     for (++line_number; std::getline(stream, line); ++line_number) {
       if (boost::trim_copy(line).empty()) continue;
@@ -140,15 +170,30 @@ void checkNames(const std::vector<DepthFrame>& frames) {
   }
 }
 
-cv::Mat readDepth(const DepthFrame& frame) {
-  cv::Mat image = readImage16(frame.image);
+cv::Mat decodeDepth(const std::vector<unsigned char>& bytes, const DepthFrame& frame) {
+  cv::Mat image = decodeDepth(bytes, frame.image, frame.max_pixels);
   const bool any_size = frame.width == 0;
   if (!any_size && (image.cols != frame.width || image.rows != frame.height)) {
     throw BadInput(frame.image.string() + ": is " + sizeText(image.cols, image.rows) + " pixels, not " +
                    sizeText(frame.width, frame.height) + " as its table says");
   }
-  if (frame.largest_is_none) image.setTo(0, image == std::numeric_limits<std::uint16_t>::max());
+  if (frame.largest_is_none && image.depth() == CV_16U) {
+    image.setTo(0, image == std::numeric_limits<std::uint16_t>::max());
+  }
   return image;
 }
+
+DepthView depthViewOf(const cv::Mat& depth, double units_per_metre) {
+  DepthView view;
+  view.data = depth.data;
+  view.width = depth.cols;
+  view.height = depth.rows;
+  view.step = depth.step;
+  view.type = depth.depth() == CV_16U ? DepthType::kUint16 : DepthType::kFloat32;
+  view.metres_per_unit = static_cast<float>(1.0 / units_per_metre);
+  return view;
+}
+
+cv::Mat readDepth(const DepthFrame& frame) { return decodeDepth(readFile(frame.image), frame); }
 
 }  // namespace line_plane_segmentation

@@ -6,20 +6,26 @@
 #include <string>
 #include <vector>
 
+#include "image_file.h"
 #include "line_plane_segmentation/camera_intrinsics.h"
+#include "line_plane_segmentation/depth_view.h"
 
 namespace line_plane_segmentation {
 
-/// One depth image of a recording and what is needed to read metres from it.
+/// One depth image of a recording, and the data for reading metres from it.
 struct DepthFrame {
-  std::string name;  ///< what its results are called after
+  std::string name;  ///< first part of the names of its results
   std::filesystem::path image;
   CameraIntrinsics camera;
   double units_per_metre = 1000.0;
-  int width = 0;                 ///< [px] what the image must have; 0 = whatever it has
-  int height = 0;                ///< [px]
-  bool largest_is_none = false;  ///< 65535 in the image says, as 0 does, that there is no depth
+  int width = 0;                                ///< [px] of the image; 0: any
+  int height = 0;                               ///< [px]
+  bool largest_is_none = false;                 ///< 65535 in the image means no depth, as 0 does
+  std::int64_t max_pixels = kDefaultMaxPixels;  ///< larger images are refused
 };
+
+/// The extensions of files that are read as depth images, ".png" first.
+const std::vector<std::string>& depthFormats();
 
 /// Reads "FX,FY,CX,CY" [px].
 /// @throws BadInput unless these are four numbers that make a camera
@@ -30,16 +36,26 @@ CameraIntrinsics parseCamera(const std::string& text);
 std::vector<DepthFrame> framesOfImages(const std::vector<std::string>& images, const CameraIntrinsics& camera,
                                        double units_per_metre);
 
-/// The frames of a table with the columns frame, width, height, units_per_metre, fx, fy, cx, cy (others
-/// are passed over), whose images are depth/FRAME.png beside the table.
+/// The frames of a table (CSV as RFC 4180: cells may be quoted, "" is a quote; a byte order mark is skipped)
+/// with the columns frame, width, height, units_per_metre, fx, fy, cx, cy; other columns are ignored. The
+/// images are depth/FRAME.png beside the table, or, where that does not exist, depth/FRAME with another
+/// extension of depthFormats().
 /// @throws BadInput if the table cannot be read, or says something that cannot be
 std::vector<DepthFrame> framesOfTable(const std::filesystem::path& table);
 
-/// @throws BadInput if there is no frame, or two share a name
+/// @throws BadInput if there is no frame, or two have the same name
 void checkNames(const std::vector<DepthFrame>& frames);
 
-/// Reads the frame's image, 16 bits a pixel.
-/// @throws BadInput if it cannot be read or is not as the frame says
+/// Decodes the frame's image from the content of its file.
+/// @return CV_16UC1 or CV_32FC1
+/// @throws BadInput if it cannot be decoded or has another size than the frame states
+cv::Mat decodeDepth(const std::vector<unsigned char>& bytes, const DepthFrame& frame);
+
+/// A view of a depth image as decodeDepth() returns it, which has to outlive the view.
+DepthView depthViewOf(const cv::Mat& depth, double units_per_metre);
+
+/// Reads and decodes the frame's image.
+/// @throws BadInput if it cannot be read, or as decodeDepth()
 cv::Mat readDepth(const DepthFrame& frame);
 
 }  // namespace line_plane_segmentation

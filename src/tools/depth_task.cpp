@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "depth_task.h"
 
+#include <climits>
 #include <cstdio>
+#include <fstream>
 #include <nlohmann/json.hpp>
 #include <opencv2/core.hpp>
 #include <opencv2/imgcodecs.hpp>
@@ -9,8 +11,8 @@
 #include <string>
 
 #include "frame_results.h"
-#include "html_report.h"
 #include "interruption.h"
+#include "line_plane_segmentation/palette.h"
 #include "line_plane_segmentation/plane_segmenter.h"
 #include "line_plane_segmentation/stage_clock.h"
 #include "ordered_work.h"
@@ -18,6 +20,7 @@
 #include "overlay.h"
 #include "planes_json.h"
 #include "progress.h"
+#include "report_program.h"
 #include "run_tool.h"
 
 namespace line_plane_segmentation {
@@ -26,16 +29,18 @@ namespace {
 namespace fs = std::filesystem;
 
 using Bytes = std::vector<unsigned char>;
+using nlohmann::json;
 
-/// A frame that is being worked on, and what becomes of it.
+/// A frame in progress, and its results.
 struct Slot {
   const DepthFrame* frame = nullptr;
+  Bytes file;  // content of the image's file
   cv::Mat depth;
   PlaneSegmenter segmenter;
   Bytes labels, overlay;
   std::string planes;
   std::string summary;
-  bool out_of_range = false;  // most of its depths
+  bool out_of_range = false;  // most of its depths, as with wrong units
 };
 
 Bytes encodePng(const cv::Mat& image) {
@@ -44,51 +49,42 @@ Bytes encodePng(const cv::Mat& image) {
   return bytes;
 }
 
-DepthView viewOf(const cv::Mat& depth, double units_per_metre) {
-  DepthView view;
-  view.data = depth.data;
-  view.width = depth.cols;
-  view.height = depth.rows;
-  view.step = depth.step;
-  view.type = DepthType::kUint16;
-  view.metres_per_unit = static_cast<float>(1.0 / units_per_metre);
-  return view;
-}
-
-// Whether most depths lie outside of min_range to max_range, as they do with a wrong depth scale.
-bool isOutOfRange(const cv::Mat& depth, double units_per_metre, const ScanlineParameters& range) {
-  const cv::Mat outside =
-      (depth < range.min_range * units_per_metre) | (depth > range.max_range * units_per_metre);
-  return 2 * cv::countNonZero(outside & (depth > 0)) > cv::countNonZero(depth);
-}
-
 std::string summaryOf(const DepthFrame& frame, const Segmentation& segmentation, const StageClock& clock) {
-  const double share =
+  const double percent =
       segmentation.valid_pixels == 0 ? 0.0 : 100.0 * segmentation.assigned_pixels / segmentation.valid_pixels;
   char figures[96];
   std::snprintf(figures, sizeof figures, ": %zu planes, %.0f %% of the depth, %.2f ms",
-                segmentation.planes.size(), share, clock.totalMilliseconds());
+                segmentation.planes.size(), percent, clock.totalMilliseconds());
   return frame.name + figures;
 }
 
 void work(Slot& slot) {
   const DepthFrame& frame = *slot.frame;
   StageClock clock;
-  Segmentation result =
-      slot.segmenter.segment(viewOf(slot.depth, frame.units_per_metre), frame.camera, &clock);
+  const DepthView view = depthViewOf(slot.depth, frame.units_per_metre);
+  Segmentation result = slot.segmenter.segment(view, frame.camera, &clock);
   slot.labels = encodePng(cv::Mat(result.height, result.width, CV_16UC1, result.labels.data()));
-  slot.overlay = encodePng(drawOverlay(slot.depth, result, frame.camera));
-  slot.planes = planesJson(frame.name, result, clock, settingsOf(frame, slot.segmenter.parameters()));
+  slot.overlay = encodePng(drawOverlay(view, result, frame.camera));
+  slot.planes = planesJson(frame.name, result, clock,
+                           provenanceOf(frame, settingsOf(frame, slot.segmenter.parameters()),
+                                        {slot.file, slot.labels, slot.overlay}));
   slot.summary = summaryOf(frame, result, clock);
-  slot.out_of_range = isOutOfRange(slot.depth, frame.units_per_metre, slot.segmenter.parameters().scanlines);
+  slot.out_of_range = 2 * std::int64_t{result.valid_pixels} < cv::countNonZero(slot.depth > 0);
 }
 
-// The frames that are still to be done.
-std::vector<const DepthFrame*> unfinished(const DepthTask& task) {
+std::vector<const DepthFrame*> unfinishedFrames(const DepthTask& task) {
   std::vector<const DepthFrame*> frames;
   for (const DepthFrame& frame : task.frames) {
-    if (task.redo || !areFinished({task.out, frame}, frame, settingsOf(frame, task.parameters)))
-      frames.push_back(&frame);
+    stopIfInterrupted();
+    const FrameResults results(task.out, frame);
+    const ResultState state =
+        task.redo ? ResultState::kUnfinished : stateOf(results, frame, settingsOf(frame, task.parameters));
+    if (state == ResultState::kForeign) {
+      throw BadInput(
+          results.planes.string() +
+          ": was made from another image of this name; choose another --out, or replace it with --redo");
+    }
+    if (state == ResultState::kUnfinished) frames.push_back(&frame);
   }
   return frames;
 }
@@ -107,23 +103,29 @@ void checkReport(const DepthTask& task, const std::set<fs::path>& results) {
   }
 }
 
-// Everything that can be wrong with the input shows here, before anything is written.
+void checkNameLength(const fs::path& result) {
+  if (result.filename().string().size() > NAME_MAX) {
+    throw BadInput(result.string() + ": this name of a result is too long, more than " +
+                   std::to_string(NAME_MAX) + " bytes");
+  }
+}
+
+// Everything that can be checked before anything is written.
 void checkInput(const DepthTask& task, const std::vector<const DepthFrame*>& frames) {
   std::set<fs::path> results;
   for (const DepthFrame& frame : task.frames) {
-    for (const fs::path& file : FrameResults(task.out, frame).all()) results.insert(wholePath(file));
+    for (const fs::path& file : FrameResults(task.out, frame).all()) {
+      checkNameLength(file);
+      results.insert(wholePath(file));
+    }
   }
   if (!task.report.empty()) checkReport(task, results);
-  Progress progress;
-  std::size_t checked = 0;
   for (const DepthFrame* frame : frames) {
     stopIfInterrupted();
-    readDepth(*frame);
+    checkDepthFile(frame->image, frame->max_pixels);
     if (results.count(wholePath(frame->image)) != 0) {
       throw BadInput(frame->image.string() + ": would be overwritten by a result; choose another --out");
     }
-    ++checked;
-    progress.update(checked, static_cast<double>(checked) / static_cast<double>(frames.size()));
   }
 }
 
@@ -138,7 +140,8 @@ void segmentAll(const DepthTask& task, const std::vector<const DepthFrame*>& fra
         stopIfInterrupted();
         if (begun == frames.size()) return false;
         slot.frame = frames[begun++];
-        slot.depth = readDepth(*slot.frame);
+        slot.file = readFile(slot.frame->image);
+        slot.depth = decodeDepth(slot.file, *slot.frame);
         return true;
       },
       work,
@@ -166,20 +169,42 @@ void segmentAll(const DepthTask& task, const std::vector<const DepthFrame*>& fra
   }
 }
 
+// Input of the report program: the frames' files, and the parameters beside their defaults.
+json reportData(const DepthTask& task) {
+  json data{{"parameters", settingsOf({}, task.parameters).at("parameters")},
+            {"defaults", settingsOf({}, {}).at("parameters")},
+            {"frames", json::array()},
+            {"stages", json::array()},
+            {"colors", json::array()}};
+  for (int i = 0; i < kStageCount; ++i) data["stages"].push_back(nameOf(static_cast<Stage>(i)));
+  for (std::uint32_t label = 1; label <= kPaletteSize; ++label) {
+    const Color color = colorOf(label);
+    data["colors"].push_back({color.r, color.g, color.b});
+  }
+  for (const DepthFrame& frame : task.frames) {
+    const FrameResults results(task.out, frame);
+    data["frames"].push_back(
+        {{"planes", pathForReport(results.planes)}, {"overlay", pathForReport(results.overlay)}});
+  }
+  return data;
+}
+
 }  // namespace
 
 void segmentDepthImages(const DepthTask& task) {
-  checkNames(task.frames);
-  const std::vector<const DepthFrame*> frames = unfinished(task);
+  const std::vector<const DepthFrame*> frames = unfinishedFrames(task);
   checkInput(task, frames);
-  makeOutputFolder(task.out);
   OutputFiles report;
+  for (const DepthFrame& frame : task.frames) report.protect(frame.image);
+  if (!task.table.empty()) report.protect(task.table);
+  if (!task.report.empty()) report.checkProtected(task.report);
+  makeOutputFolder(task.out);
   const fs::path report_file = task.report.empty() ? fs::path() : report.reserve(task.report);
   segmentAll(task, frames);
   const std::size_t finished = task.frames.size() - frames.size();
-  if (finished > 0) std::printf("%zu frames were finished before; --redo does them again\n", finished);
+  if (finished > 0) std::printf("%zu frames were finished before; --redo segments them again\n", finished);
   if (task.report.empty()) return;
-  writeHtmlReport(report_file, task);
+  std::ofstream(report_file, std::ios::binary) << makeReport("html", reportData(task));
   report.commit();
 }
 

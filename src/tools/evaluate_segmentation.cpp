@@ -2,17 +2,16 @@
 #include <boost/program_options.hpp>
 #include <iostream>
 #include <nlohmann/json.hpp>
-#include <opencv2/imgcodecs.hpp>
 #include <string>
 #include <vector>
 
 #include "command_line.h"
-#include "curve_picture.h"
 #include "evaluation.h"
 #include "labelled_set.h"
 #include "line_primitive_segmenter.h"
 #include "output_files.h"
 #include "parameter_options.h"
+#include "report_program.h"
 #include "robust_report.h"
 #include "run_tool.h"
 #include "sensitivity.h"
@@ -64,8 +63,8 @@ void printHelp() {
   std::cout
       << "Compares label images with truth images, frame by frame and as a set.\n"
          "Or segments labelled sets in many variants and reports the mean and the spread of each figure.\n\n"
-         "  evaluate_segmentation --truth DIR --labels DIR [OPTION]...\n"
-         "  evaluate_segmentation --robust DIR... [OPTION]...\n\n"
+         "  rosrun line_plane_segmentation evaluate_segmentation --truth DIR --labels DIR [OPTION]...\n"
+         "  rosrun line_plane_segmentation evaluate_segmentation --robust DIR... [OPTION]...\n\n"
       << labelOptions() << "\n"
       << robustOptions() << "\n"
       << commonOptions()
@@ -99,13 +98,14 @@ EvaluationSettings settingsOf(const po::variables_map& given) {
   return settings;
 }
 
-std::vector<unsigned char> curvePng(const std::vector<EvaluatedFrame>& frames,
-                                    const EvaluationSettings& settings) {
-  const cv::Mat picture = drawCurve(toleranceCurve(frames, settings.min_pixels), settings.tolerance,
-                                    scoreOf(frames, settings).hoover);
-  std::vector<unsigned char> bytes;
-  cv::imencode(".png", picture, bytes);
-  return bytes;
+// Neither an image of the ground truth nor one of the labels may be overwritten.
+void protectInputs(const std::vector<EvaluatedFrame>& frames, const EvaluationSettings& settings,
+                   OutputFiles& files) {
+  for (const EvaluatedFrame& frame : frames) {
+    files.protect(settings.truth / (frame.name + ".png"));
+    files.protect(settings.labels / (frame.name + ".labels.png"));
+    files.protect(settings.labels / (frame.name + ".png"));
+  }
 }
 
 void evaluateLabels(const po::variables_map& given) {
@@ -115,8 +115,12 @@ void evaluateLabels(const po::variables_map& given) {
   const std::vector<EvaluatedFrame> frames = countFolders(settings.truth, settings.labels);
 
   OutputFiles files;
-  if (given.count("json") != 0) files.add(given["json"].as<std::string>(), evaluationJson(frames, settings));
-  if (given.count("curve") != 0) files.add(given["curve"].as<std::string>(), curvePng(frames, settings));
+  protectInputs(frames, settings, files);
+  const std::string figures = evaluationJson(frames, settings);
+  if (given.count("json") != 0) files.add(given["json"].as<std::string>(), figures);
+  if (given.count("curve") != 0) {
+    files.add(given["curve"].as<std::string>(), makeReport("curve", nlohmann::json::parse(figures)));
+  }
   files.commit();
   std::cout << evaluationTable(frames, settings);
 }

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <opencv2/core.hpp>
 
-#include "image16.h"
+#include "image_file.h"
 #include "run_tool.h"
 
 namespace line_plane_segmentation {

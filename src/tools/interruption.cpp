@@ -8,16 +8,22 @@
 namespace line_plane_segmentation {
 namespace {
 
-// A signal handler can write to nothing but such a variable.
+// The only kind of variable that a signal handler may write.
 volatile std::sig_atomic_t interrupted = 0;
 
-void remember(int /*signal*/) { interrupted = 1; }
+// The second signal ends the program at once, in case it is stuck.
+void remember(int signal) {
+  interrupted = 1;
+  std::signal(signal, SIG_DFL);
+}
 
 }  // namespace
 
 void catchInterruption() {
-  std::signal(SIGINT, remember);
-  std::signal(SIGTERM, remember);
+  for (const int signal : {SIGHUP, SIGINT, SIGQUIT, SIGTERM}) {
+    // Signals that are ignored stay ignored: nohup ignores SIGHUP.
+    if (std::signal(signal, remember) == SIG_IGN) std::signal(signal, SIG_IGN);
+  }
 }
 
 void stopIfInterrupted() {

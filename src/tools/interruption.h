@@ -3,11 +3,12 @@
 
 namespace line_plane_segmentation {
 
-/// From here on Ctrl-C, and a request to end, no longer end the program on the spot, so that it can take away
-/// what it has half written: it has to call stopIfInterrupted() now and then.
+/// After this call SIGINT (Ctrl-C), SIGTERM, SIGHUP and SIGQUIT no longer end the program at once, so that it
+/// can finish orderly. The program has to call stopIfInterrupted() regularly. A second signal of the same
+/// kind ends it.
 void catchInterruption();
 
-/// @throws BadInput if the program was asked to end
+/// @throws BadInput if one of these signals was received
 void stopIfInterrupted();
 
 }  // namespace line_plane_segmentation

@@ -2,7 +2,7 @@
 #include "labelled_set.h"
 
 #include "depth_frames.h"
-#include "image16.h"
+#include "image_file.h"
 #include "run_tool.h"
 
 namespace line_plane_segmentation {

@@ -11,17 +11,17 @@
 
 namespace line_plane_segmentation {
 
-/// Places for work that goes on at the same time: as many as this machine has cores, and one to get ready
-/// meanwhile.
+/// Number of slots for workInOrder(): one per core, and one that is filled in the meantime.
 inline std::size_t slotsForAllCores() { return std::max(1U, std::thread::hardware_concurrency()) + 1; }
 
-/// Works on all cores, with the results in order: on the calling thread, `next` fills a slot and `finish`
-/// uses up what became of it, both in the order of the input, while `work` runs on the slots in threads.
-/// @param slots   memory that is used again and again; as many run at once, so it bounds memory, too
-/// @param next    bool(Slot&), false when there is no more
-/// @param work    void(Slot&), touches nothing but its slot
+/// Processes items in parallel and returns the results in order. The calling thread runs `next`, which fills
+/// a slot, and `finish`, which uses its result, both in the order of the input. `work` runs on the slots in
+/// threads.
+/// @param slots   reused memory; their number limits the items in progress, and so the memory
+/// @param next    bool(Slot&), false after the last item
+/// @param work    void(Slot&), accesses only its slot
 /// @param finish  void(Slot&)
-/// What any of them throws comes out of here, when all that runs has ended.
+/// Rethrows an exception of any of them when all running work has ended.
 template <typename Slot, typename Next, typename Work, typename Finish>
 void workInOrder(std::vector<Slot>& slots, Next next, Work work, Finish finish) {
   std::deque<std::future<void>> running;  // the oldest is on slots[first]

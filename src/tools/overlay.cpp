@@ -8,14 +8,12 @@
 #include <string>
 #include <vector>
 
-#include "line_plane_segmentation/ros/palette.h"
+#include "depth_overlay.h"
+#include "line_plane_segmentation/palette.h"
 
 namespace line_plane_segmentation {
 namespace {
 
-constexpr std::uint8_t kNoDepth = 24;
-constexpr float kNearGrey = 235.0F;
-constexpr float kFarGrey = 70.0F;
 constexpr double kFarOutside = 1e5;  // [px]
 
 cv::Vec3b bgrOf(std::uint16_t label) {
@@ -23,55 +21,19 @@ cv::Vec3b bgrOf(std::uint16_t label) {
   return {color.b, color.g, color.r};
 }
 
-// Grey from near to far, without the nearest and farthest hundredth, which would take all the contrast.
-cv::Mat greyOf(const cv::Mat& depth) {
-  std::vector<std::uint16_t> sorted;
-  sorted.reserve(depth.total());
-  for (auto it = depth.begin<std::uint16_t>(); it != depth.end<std::uint16_t>(); ++it) {
-    if (*it != 0) sorted.push_back(*it);
+// Blue and red exchanged, for OpenCV's order of channels.
+std::vector<LabelTint> tintsOf(const std::vector<std::uint16_t>& labels) {
+  const std::uint16_t largest =
+      labels.empty() ? std::uint16_t{0} : *std::max_element(labels.begin(), labels.end());
+  std::vector<LabelTint> tints(largest + std::size_t{1});
+  for (std::uint32_t label = 1; label <= largest; ++label) {
+    const Color color = colorOf(label);
+    tints[label] = {true, {color.b, color.g, color.r}};
   }
-  cv::Mat grey(depth.size(), CV_8UC1, cv::Scalar(kNoDepth));
-  if (sorted.empty()) return grey;
-
-  const auto quantile = [&sorted](std::size_t hundredths) {
-    const auto nth = sorted.begin() + static_cast<std::ptrdiff_t>((sorted.size() - 1) * hundredths / 100);
-    std::nth_element(sorted.begin(), nth, sorted.end());
-    return static_cast<float>(*nth);
-  };
-  const float near = quantile(1);
-  const float span = std::max(quantile(99) - near, 1.0F);
-  for (int v = 0; v < depth.rows; ++v) {
-    for (int u = 0; u < depth.cols; ++u) {
-      const auto z = depth.at<std::uint16_t>(v, u);
-      if (z == 0) continue;
-      const float share = std::min(std::max((static_cast<float>(z) - near) / span, 0.0F), 1.0F);
-      grey.at<std::uint8_t>(v, u) = static_cast<std::uint8_t>(kNearGrey + share * (kFarGrey - kNearGrey));
-    }
-  }
-  return grey;
+  return tints;
 }
 
-cv::Mat tint(const cv::Mat& grey, const std::vector<std::uint16_t>& labels) {
-  constexpr float kColorShare = 0.6F;
-  cv::Mat picture;
-  cv::cvtColor(grey, picture, cv::COLOR_GRAY2BGR);
-  for (int v = 0; v < grey.rows; ++v) {
-    for (int u = 0; u < grey.cols; ++u) {
-      const std::size_t index =
-          static_cast<std::size_t>(v) * static_cast<std::size_t>(grey.cols) + static_cast<std::size_t>(u);
-      if (labels[index] == 0) continue;
-      const cv::Vec3b color = bgrOf(labels[index]);
-      cv::Vec3b& pixel = picture.at<cv::Vec3b>(v, u);
-      for (int c = 0; c < 3; ++c) {
-        pixel[c] = cv::saturate_cast<std::uint8_t>(kColorShare * static_cast<float>(color[c]) +
-                                                   (1.0F - kColorShare) * static_cast<float>(pixel[c]));
-      }
-    }
-  }
-  return picture;
-}
-
-// Where a point is seen [px]; one that cannot be seen ends up far outside the picture.
+// Projection of a point [px]; points behind the camera are projected far outside the image.
 cv::Point2d project(const CameraIntrinsics& camera, const Eigen::Vector3d& point) {
   const double z = std::max(point.z(), 1e-9);
   const auto clamped = [](double pixel) { return std::min(std::max(pixel, -kFarOutside), kFarOutside); };
@@ -80,7 +42,7 @@ cv::Point2d project(const CameraIntrinsics& camera, const Eigen::Vector3d& point
 
 void drawOutline(const Segmentation& segmentation, const SegmentedPlane& plane,
                  const CameraIntrinsics& camera, int thickness, cv::Mat& picture) {
-  // OpenCV draws at fractions of a pixel when it gets integers with so many binary digits after the point.
+  // OpenCV's drawing functions take fixed-point coordinates with this number of fractional bits.
   constexpr int kFractionBits = 4;
   const cv::Vec3b color = bgrOf(plane.label);
   const cv::Scalar light = 0.5 * (cv::Scalar(color[0], color[1], color[2]) + cv::Scalar::all(255));
@@ -95,7 +57,7 @@ void drawOutline(const Segmentation& segmentation, const SegmentedPlane& plane,
   }
 }
 
-// For each label the pixel nearest its plane's centroid, which itself may lie on another plane.
+// For each label the pixel nearest to its plane's centroid: the centroid itself may lie on another plane.
 std::vector<cv::Point> findAnchors(const Segmentation& segmentation, const CameraIntrinsics& camera) {
   struct Nearest {
     cv::Point2d centroid;
@@ -122,7 +84,7 @@ std::vector<cv::Point> findAnchors(const Segmentation& segmentation, const Camer
 
 void drawNormal(const SegmentedPlane& plane, const cv::Point& foot, const CameraIntrinsics& camera,
                 double scale, cv::Mat& picture) {
-  // About as long as the plane is wide, but not too long, whatever the field of view.
+  // About as long as the plane is wide, at most a tenth of the image.
   const double pixels = std::min(0.1 * picture.cols, 0.7 * std::sqrt(plane.inliers));
   const double metres = pixels * plane.centroid.z() / std::max(camera.fx, camera.fy);
   const Eigen::Vector3d above = plane.centroid + metres * plane.normal;
@@ -141,11 +103,14 @@ void drawNormal(const SegmentedPlane& plane, const cv::Point& foot, const Camera
 
 }  // namespace
 
-cv::Mat drawOverlay(const cv::Mat& depth, const Segmentation& segmentation, const CameraIntrinsics& camera) {
-  CV_Assert(depth.cols == segmentation.width && depth.rows == segmentation.height);
-  const double scale = std::max(0.6, depth.cols / 640.0);
+cv::Mat drawOverlay(const DepthView& depth, const Segmentation& segmentation,
+                    const CameraIntrinsics& camera) {
+  CV_Assert(depth.width == segmentation.width && depth.height == segmentation.height);
+  const double scale = std::max(0.6, depth.width / 640.0);
 
-  cv::Mat picture = tint(greyOf(depth), segmentation.labels);
+  cv::Mat picture(depth.height, depth.width, CV_8UC3);
+  drawDepthOverlay(depth, DepthRange{}, segmentation.labels.data(), tintsOf(segmentation.labels),
+                   picture.data);
   for (const SegmentedPlane& plane : segmentation.planes) {
     drawOutline(segmentation, plane, camera, std::max(1, cvRound(scale)), picture);
   }

@@ -12,21 +12,21 @@ namespace line_plane_segmentation {
 /// Adds --preset and --set.
 void addParameterOptions(boost::program_options::options_description& options);
 
-/// Sets a parameter that is none of the method's own.
-/// @return false if it knows none of this name
-/// @throws BadInput if the value is none for it
+/// Sets a parameter that does not belong to the method.
+/// @return false if there is no such parameter
+/// @throws BadInput if the value is invalid
 using OtherParameters = std::function<bool(const std::string& name, const std::string& value)>;
 
-/// The parameters that --preset and --set ask for.
-/// @param setOther  is asked first
-/// @throws BadInput that names what is wrong
+/// Returns the parameters that --preset and --set select.
+/// @param setOther  called first for each --set
+/// @throws BadInput if a name or value is invalid
 Parameters parametersOf(const boost::program_options::variables_map& given,
                         const OtherParameters& setOther = {});
 
-/// All parameters with default and bounds, for --help.
+/// Lists all parameters with default and bounds, for --help.
 std::string parameterList();
 
-/// A line of such a list.
+/// Formats a line of such a list.
 std::string parameterLine(const std::string& name, const std::string& value, const std::string& bounds);
 
 }  // namespace line_plane_segmentation

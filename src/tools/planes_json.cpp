@@ -71,10 +71,10 @@ std::string planesJson(const std::string& frame, const Segmentation& segmentatio
 }
 
 std::string planesJson(const std::string& frame, const Segmentation& segmentation, const StageClock& clock,
-                       const json& settings) {
-  json with_settings = document(frame, segmentation, clock);
-  with_settings["settings"] = settings;
-  return textOf(with_settings);
+                       const json& more) {
+  json all = document(frame, segmentation, clock);
+  all.update(more);
+  return textOf(all);
 }
 
 }  // namespace line_plane_segmentation

@@ -14,8 +14,8 @@ namespace line_plane_segmentation {
 /// The same planes and times give the same text.
 std::string planesJson(const std::string& frame, const Segmentation& segmentation, const StageClock& clock);
 
-/// The same, with "settings": what the planes were made with.
+/// The same, with more members: an object such as provenanceOf() returns.
 std::string planesJson(const std::string& frame, const Segmentation& segmentation, const StageClock& clock,
-                       const nlohmann::json& settings);
+                       const nlohmann::json& more);
 
 }  // namespace line_plane_segmentation

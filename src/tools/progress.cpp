@@ -23,20 +23,21 @@ std::string clockText(double seconds) {
 
 }  // namespace
 
-std::string progressText(std::size_t done, double share, double seconds) {
+std::string progressText(std::size_t done, double fraction, double seconds) {
   constexpr int kWidth = 28;
-  share = std::min(std::max(share, 0.0), 1.0);
-  const auto filled = static_cast<std::size_t>(share * kWidth);
+  fraction = std::min(std::max(fraction, 0.0), 1.0);
+  const auto filled = static_cast<std::size_t>(fraction * kWidth);
   std::string bar(kWidth, ' ');
   std::fill_n(bar.begin(), filled, '=');
   if (filled < bar.size()) bar[filled] = '>';
 
   const double rate = seconds > 0.0 ? static_cast<double>(done) / seconds : 0.0;
   char figures[96];
-  std::snprintf(figures, sizeof figures, "] %3.0f %%  %zu frames  %.*f/s", std::floor(100.0 * share), done,
+  std::snprintf(figures, sizeof figures, "] %3.0f %%  %zu frames  %.*f/s", std::floor(100.0 * fraction), done,
                 rate < 10.0 ? 1 : 0, rate);
   std::string text = "[" + bar + figures;
-  if (share > 0.0 && share < 1.0) text += "  " + clockText(seconds * (1.0 - share) / share) + " left";
+  if (fraction > 0.0 && fraction < 1.0)
+    text += "  " + clockText(seconds * (1.0 - fraction) / fraction) + " left";
   return text;
 }
 
@@ -44,7 +45,7 @@ Progress::Progress() : on_terminal_(isatty(STDERR_FILENO) == 1) {}
 
 Progress::~Progress() { clear(); }
 
-void Progress::update(std::size_t done, double share) {
+void Progress::update(std::size_t done, double fraction) {
   constexpr std::chrono::milliseconds kRedraw(100);
   constexpr std::chrono::seconds kLine(30);
   const Clock::time_point now = Clock::now();
@@ -52,7 +53,7 @@ void Progress::update(std::size_t done, double share) {
   if (!due) return;
   shown_ = now;
   visible_ = on_terminal_;
-  const std::string text = progressText(done, share, std::chrono::duration<double>(now - start_).count());
+  const std::string text = progressText(done, fraction, std::chrono::duration<double>(now - start_).count());
   std::fprintf(stderr, on_terminal_ ? "\r%s\x1b[K" : "%s\n", text.c_str());
 }
 

@@ -8,25 +8,24 @@
 namespace line_plane_segmentation {
 
 /// The text of a progress bar: "[======>     ]  54 %  1234 frames  143/s  0:07 left".
-/// @param done     frames that were worked on
-/// @param share    of the whole work, 0 to 1
-/// @param seconds  since the beginning
-std::string progressText(std::size_t done, double share, double seconds);
+/// @param done      number of processed frames
+/// @param fraction  of the whole work, 0 to 1
+/// @param seconds   since the beginning
+std::string progressText(std::size_t done, double fraction, double seconds);
 
-/// A bar on stderr that tells how far the work is. Where stderr is no terminal, but a file, it says so in a
-/// line of its own every half minute.
+/// Progress bar on stderr. If stderr is not a terminal, a line every half minute instead.
 class Progress {
  public:
   Progress();
 
-  /// Takes the bar away.
+  /// Removes the bar.
   ~Progress();
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
-  void update(std::size_t done, double share);
+  void update(std::size_t done, double fraction);
 
-  /// Takes the bar away until the next update(), so that something else can be printed.
+  /// Removes the bar until the next update(), so that other text can be printed.
   void clear();
 
  private:

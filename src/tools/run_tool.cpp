@@ -2,16 +2,32 @@
 #include "run_tool.h"
 
 #include <algorithm>
+#include <cerrno>
+#include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <exception>
 #include <iostream>
 
 namespace line_plane_segmentation {
+namespace {
+
+// Output is buffered: a full disk may only show here.
+void flushStandardOutput() {
+  errno = 0;
+  std::cout.flush();
+  const bool flushed = std::fflush(stdout) == 0 && std::cout.good() && std::ferror(stdout) == 0;
+  if (flushed) return;
+  throw BadInput("standard output cannot be written" +
+                 (errno == 0 ? "" : std::string(", ") + std::strerror(errno)));
+}
+
+}  // namespace
 
 int runTool(const std::string& name, const std::function<void()>& tool) {
   try {
     tool();
+    flushStandardOutput();
     return EXIT_SUCCESS;
   } catch (const std::exception& error) {
     std::string message = error.what();

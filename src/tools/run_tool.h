@@ -7,8 +7,7 @@
 
 namespace line_plane_segmentation {
 
-/// Something that the user gave is wrong. The message is one line that says what, and where it can
-/// be how to put it right.
+/// Invalid input of the user. The message is one line that names the problem and, where possible, the remedy.
 class BadInput : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;

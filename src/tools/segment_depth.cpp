@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <boost/program_options.hpp>
+#include <cstdio>
 #include <filesystem>
 #include <iostream>
 #include <optional>
@@ -26,25 +27,31 @@ po::options_description options() {
   po::options_description shown("Options");
   shown.add_options()("camera", po::value<std::string>()->value_name("FX,FY,CX,CY"),
                       "focal lengths and optical centre [px]")(
-      "depth-scale", po::value<double>()->value_name("N"),
-      "units of the depth images that make a metre, such as 1000 or 5000")(
       "units-per-metre", po::value<double>()->value_name("N"),
-      "the same, by the name that it has in tables and results")(
-      "dataset", po::value<std::string>()->value_name("NAME"),
-      "FOLDER is a sequence of tum, icl_nuim, nyu or 7scenes, whose camera and depth scale are known")(
+      "numbers in the depth images per metre: 1000 for millimetres, 5000 for TUM, 1 for metres; the older "
+      "name "
+      "--depth-scale is accepted, too")("dataset", po::value<std::string>()->value_name("NAME"),
+                                        "FOLDER is a sequence of tum, icl_nuim, nyu, 7scenes or scannet, "
+                                        "whose camera and depth units are known")(
       "frames-csv", po::value<std::string>()->value_name("FILE"),
-      "a table of frames in place of --camera, --depth-scale and IMAGE: columns frame, width, height, "
+      "a table of frames in place of --camera, --units-per-metre and IMAGE: columns frame, width, height, "
       "units_per_metre, fx, fy, cx, cy; the images are depth/FRAME.png beside it")(
       "out", po::value<std::string>()->value_name("DIR"), "folder for the results, made if it is not there")(
       "report", po::value<std::string>()->value_name("FILE.html"),
-      "also make a page to look at, whole in this one file: overlays, planes, times")(
+      "also make an HTML page with overlays, planes and times, complete in this one file")(
       "redo",
-      "segment again what is finished: by default frames are passed over whose results are there, made with "
-      "the same settings and not older than the image");
-  shown.add_options()(
-      "jobs", po::value<int>()->value_name("N")->default_value(0, ""),
-      "work on N images at a time, by default one for each core; with 1 the times that are measured "
-      "are not disturbed");
+      "segment all frames again and replace results of other images; by default frames are skipped whose "
+      "results "
+      "are complete, made from the same image with the same settings and version, and not older than the "
+      "image");
+  shown.add_options()("jobs", po::value<int>()->value_name("N")->default_value(0, ""),
+                      "number of images processed at a time, by default one per core; with 1 the measured "
+                      "times are not disturbed "
+                      "by other images")("shard", po::value<std::string>()->value_name("I/N"),
+                                         "process only every N-th image, beginning with the I-th, 1 to N: "
+                                         "for N processes or machines at a time")(
+      "max-pixels", po::value<std::int64_t>()->value_name("N")->default_value(kDefaultMaxPixels),
+      "refuse larger images");
   addParameterOptions(shown);
   shown.add_options()("help", "this text")("version", "the version");
   return shown;
@@ -52,38 +59,45 @@ po::options_description options() {
 
 void printHelp() {
   std::cout
-      << "Finds the planes in depth images, 16-bit PNGs with 0 where there is no depth, on all cores.\n\n"
-         "  segment_depth --camera FX,FY,CX,CY --depth-scale UNITS_PER_METRE --out DIR [OPTION]... IMAGE...\n"
-         "  segment_depth --camera FX,FY,CX,CY --depth-scale UNITS_PER_METRE --out DIR [OPTION]... FOLDER\n"
-         "  segment_depth --dataset NAME --out DIR [OPTION]... FOLDER\n"
-         "  segment_depth --frames-csv FILE --out DIR [OPTION]...\n\n"
-         "For each image STEM.png it writes DIR/STEM.labels.png (16-bit, 0 = no plane), "
-         "DIR/STEM.planes.json\n"
-         "and DIR/STEM.overlay.png (to look at). Of a FOLDER it takes all PNGs, or those in its depth/. A "
-         "run that\n"
-         "was ended goes on where it was when it is started again.\n\n"
+      << "Segments the planes of depth images on all cores. Images are 16-bit PNG, TIFF or PGM, 32-bit float "
+         "TIFF or\n"
+         "EXR, or NumPy arrays (.npy); 0 and NaN are invalid depth.\n\n"
+         "  rosrun line_plane_segmentation segment_depth --camera FX,FY,CX,CY --units-per-metre N --out DIR "
+         "[OPTION]... IMAGE...|FOLDER\n"
+         "  rosrun line_plane_segmentation segment_depth --dataset NAME --out DIR [OPTION]... FOLDER\n"
+         "  rosrun line_plane_segmentation segment_depth --frames-csv FILE --out DIR [OPTION]...\n\n"
+         "For each image STEM.png it writes DIR/STEM.labels.png (16-bit, 0 = no plane), DIR/STEM.planes.json "
+         "and\n"
+         "DIR/STEM.overlay.png. Of a FOLDER it takes all PNGs, or those in its depth/; without PNGs, all "
+         "images of "
+         "another format.\n"
+         "An interrupted run continues when it is started again. planes.json records the image's path, size "
+         "and "
+         "SHA-256,\nthe version and the parameters.\n\n"
       << options() << '\n'
       << datasetHelp() << '\n'
       << parameterList();
 }
 
+// The older name of an option, accepted but not shown.
+double unitsPerMetre(const po::variables_map& given) {
+  if (given.count("depth-scale") == 0) return required(given, "units-per-metre").as<double>();
+  if (given.count("units-per-metre") != 0)
+    throw BadInput("--units-per-metre and --depth-scale are the same; give one of them");
+  return given["depth-scale"].as<double>();
+}
+
+bool hasUnits(const po::variables_map& given) {
+  return given.count("depth-scale") != 0 || given.count("units-per-metre") != 0;
+}
+
 po::variables_map parse(int argc, char** argv) {
   po::options_description all = options();
-  all.add_options()("image", po::value<std::vector<std::string>>()->default_value({}, ""));
+  all.add_options()("image", po::value<std::vector<std::string>>()->default_value({}, ""))(
+      "depth-scale", po::value<double>());
   po::positional_options_description positional;
   positional.add("image", -1);
   return parseOptions(argc, argv, all, positional);
-}
-
-// By either of its names.
-std::optional<double> unitsPerMetre(const po::variables_map& given) {
-  if (given.count("depth-scale") != 0 && given.count("units-per-metre") != 0) {
-    throw BadInput("--depth-scale and --units-per-metre are the same; give one of them");
-  }
-  for (const char* name : {"depth-scale", "units-per-metre"}) {
-    if (given.count(name) != 0) return given[name].as<double>();
-  }
-  return {};
 }
 
 std::vector<DepthFrame> framesOfTheDataset(const po::variables_map& given) {
@@ -91,26 +105,40 @@ std::vector<DepthFrame> framesOfTheDataset(const po::variables_map& given) {
   if (folders.size() != 1) throw BadInput("--dataset takes one FOLDER, that of a sequence; see --help");
   std::optional<CameraIntrinsics> camera;
   if (given.count("camera") != 0) camera = parseCamera(given["camera"].as<std::string>());
-  return framesOfDataset(given["dataset"].as<std::string>(), folders.front(), camera, unitsPerMetre(given));
+  std::optional<double> units_per_metre;
+  if (hasUnits(given)) units_per_metre = unitsPerMetre(given);
+  return framesOfDataset(given["dataset"].as<std::string>(), folders.front(), camera, units_per_metre);
 }
 
 std::vector<DepthFrame> framesOf(const po::variables_map& given) {
   const auto& images = given["image"].as<std::vector<std::string>>();
   if (given.count("frames-csv") != 0) {
-    for (const char* other : {"camera", "depth-scale", "units-per-metre", "dataset"}) {
-      if (given.count(other) == 0 && images.empty()) continue;
+    if (given.count("camera") != 0 || given.count("dataset") != 0 || hasUnits(given) || !images.empty()) {
       throw BadInput(
-          "--frames-csv takes the place of --camera, --depth-scale, --dataset and images; give one or the "
-          "other");
+          "--frames-csv takes the place of --camera, --units-per-metre, --dataset and images; give one or "
+          "the other");
     }
     return framesOfTable(given["frames-csv"].as<std::string>());
   }
   if (given.count("dataset") != 0) return framesOfTheDataset(given);
   const CameraIntrinsics camera = parseCamera(required(given, "camera").as<std::string>());
-  const std::optional<double> units_per_metre = unitsPerMetre(given);
-  if (!units_per_metre) required(given, "depth-scale");
+  const double units_per_metre = unitsPerMetre(given);
   const bool folder = images.size() == 1 && fs::is_directory(images.front());
-  return framesOfImages(folder ? imagesIn(images.front()) : images, camera, *units_per_metre);
+  return framesOfImages(folder ? imagesIn(images.front()) : images, camera, units_per_metre);
+}
+
+// Every N-th frame, beginning with the I-th.
+std::vector<DepthFrame> shardOf(const std::vector<DepthFrame>& frames, const std::string& text) {
+  std::size_t first = 0, count = 0;
+  int end = 0;
+  if (std::sscanf(text.c_str(), "%zu/%zu%n", &first, &count, &end) != 2 ||
+      text.size() != static_cast<std::size_t>(end) || text.find('-') != std::string::npos || first < 1 ||
+      first > count) {
+    throw BadInput("--shard takes I/N with I from 1 to N, such as 1/4, not '" + text + "'");
+  }
+  std::vector<DepthFrame> shard;
+  for (std::size_t i = first - 1; i < frames.size(); i += count) shard.push_back(frames[i]);
+  return shard;
 }
 
 void segmentDepth(int argc, char** argv) {
@@ -118,6 +146,10 @@ void segmentDepth(int argc, char** argv) {
   if (given.count("help") != 0) return printHelp();
   DepthTask task;
   task.frames = framesOf(given);
+  checkNames(task.frames);
+  if (given.count("shard") != 0) task.frames = shardOf(task.frames, given["shard"].as<std::string>());
+  for (DepthFrame& frame : task.frames) frame.max_pixels = given["max-pixels"].as<std::int64_t>();
+  if (given.count("frames-csv") != 0) task.table = given["frames-csv"].as<std::string>();
   task.parameters = parametersOf(given);
   task.out = required(given, "out").as<std::string>();
   if (given.count("report") != 0) task.report = given["report"].as<std::string>();

@@ -76,7 +76,7 @@ cv::Mat tinted(const SimulatedFrame& frame, const Labels& labels) {
   segmentation.height = frame.height();
   segmentation.labels = labels;
   for (std::uint16_t& label : segmentation.labels) label = label == kDoNotJudge ? std::uint16_t{0} : label;
-  return drawOverlay(imageOf(frame, frame.depth), segmentation, frame.camera);
+  return drawOverlay(viewOf(frame.depth.data(), frame.width(), frame.height()), segmentation, frame.camera);
 }
 
 // The truth at the left, at the right what was found; framed in the truth what was not found as one region.

@@ -168,7 +168,13 @@ TEST_F(SimulatedCameraNodelet, FollowsItsParameters) {
   EXPECT_EQ(frames_[0].image->height, 240U);
   EXPECT_EQ(frames_[0].info->K[0], 262.5);
   EXPECT_EQ(frames_[0].image->header.frame_id, "eye");
-  EXPECT_GT(49.0 / (frames_[49].image->header.stamp - frames_[0].image->header.stamp).toSec(), 45.0);
+  // The default rate would give at least 33 ms. On a busy machine frames may be late, but not all of them.
+  double shortest = 1.0;  // [s]
+  for (std::size_t i = 1; i < frames_.size(); ++i) {
+    shortest =
+        std::min(shortest, (frames_[i].image->header.stamp - frames_[i - 1].image->header.stamp).toSec());
+  }
+  EXPECT_LT(shortest, 0.02);
 }
 
 TEST_F(SimulatedCameraNodelet, TellsWhereTheVerticalIs) {

@@ -43,6 +43,33 @@ class Datasets : public testing::Test {
   TemporaryFolder folder_;
 };
 
+TEST_F(Datasets, ScanNetHasItsIntrinsicsBesideTheImages) {
+  for (const char* name : {"10", "2", "0"}) touch(std::string("scene0000_00/depth/") + name + ".png");
+  touch("scene0000_00/color.png");
+  expectRefused("scannet", "scene0000_00", "there is no intrinsic/intrinsic_depth.txt; give --camera");
+  std::filesystem::create_directory(folder_ / "scene0000_00/intrinsic");
+  const std::string file = "scene0000_00/intrinsic/intrinsic_depth.txt";
+  folder_.write(file, "577.870605 0.000000 319.500000 0.000000\n0.0 577.5 239.5 0.0\n0 0 1 0\n0 0 0 1\n");
+  const auto all = frames("scannet", "scene0000_00");
+  EXPECT_EQ(namesOf(all), (Names{"0", "2", "10"}));
+  EXPECT_EQ(all[0].camera.fx, 577.870605);
+  EXPECT_EQ(all[0].camera.fy, 577.5);
+  EXPECT_EQ(all[0].camera.cx, 319.5);
+  EXPECT_EQ(all[0].camera.cy, 239.5);
+  EXPECT_EQ(all[0].units_per_metre, 1000);
+  folder_.write(file, "577.870605 0.000000");
+  expectRefused("scannet", "scene0000_00", "is not a matrix");
+}
+
+TEST_F(Datasets, TakesOtherFormatsOfAFolderWithoutPngs) {
+  touch("arrays/b.npy");
+  touch("arrays/a.npy");
+  touch("arrays/notes.txt");
+  EXPECT_EQ(imagesIn(folder_ / "arrays"), (Names{folder_ / "arrays/a.npy", folder_ / "arrays/b.npy"}));
+  touch("arrays/c.png");
+  EXPECT_EQ(imagesIn(folder_ / "arrays"), (Names{folder_ / "arrays/c.png"}));
+}
+
 TEST_F(Datasets, TumHasACameraForEachFreiburg) {
   const double fx[] = {517.3, 520.9, 535.4};
   for (int i = 1; i <= 3; ++i) {

@@ -86,6 +86,27 @@ TEST_F(FramesTable, GivesAFrameForEachRow) {
   EXPECT_EQ(frames[1].camera.cy, 2);
 }
 
+TEST_F(FramesTable, IsReadAsSpreadsheetsWriteIt) {
+  const auto frames = read("\xEF\xBB\xBF\"frame\",width,height,units_per_metre,fx,fy,cx,cy,note\r\n" +
+                           std::string("\"a \"\"b\"\", c\",640,480,1000,525,525,320,240,\"\"\r\n"));
+  ASSERT_EQ(frames.size(), 1U);
+  EXPECT_EQ(frames[0].name, "a \"b\", c");
+  EXPECT_EQ(frames[0].width, 640);
+  expectRefused(header_ + "\"a,640,480,1000,525,525,320,240\n", "line 2: a quote is not closed");
+}
+
+TEST_F(FramesTable, TakesAnotherFormatWhereThereIsNoPng) {
+  std::filesystem::create_directory(folder_ / "depth");
+  const std::string row = "640,480,1000,525,525,320,240,,\n";
+  folder_.write("depth/a.npy", "");
+  folder_.write("depth/b.npy", "");
+  folder_.write("depth/b.png", "");
+  const auto frames = read(header_ + "a," + row + "b," + row + "c," + row);
+  EXPECT_EQ(frames[0].image.filename(), "a.npy");
+  EXPECT_EQ(frames[1].image.filename(), "b.png");
+  EXPECT_EQ(frames[2].image.filename(), "c.png");
+}
+
 TEST_F(FramesTable, ColumnsGoByName) {
   const auto frames = read("cy,cx,fy,fx,units_per_metre,height,width,frame\n2,1,526,525,1000,3,4,b\n");
   ASSERT_EQ(frames.size(), 1U);

@@ -58,6 +58,17 @@ class EvaluateSegmentation : public testing::Test {
   TemporaryFolder folder_;
 };
 
+TEST_F(EvaluateSegmentation, NeverOverwritesAnImage) {
+  writeTwoFrames();
+  for (const char* name : {"truth/a.png", "labels/a.labels.png", "labels/b.png"}) {
+    const std::string before = textOf(folder_ / name);
+    for (const char* option : {"--json", "--curve"}) {
+      expectRefused(evaluate({option, (folder_ / name).string()}), "would overwrite the input");
+    }
+    EXPECT_EQ(textOf(folder_ / name), before);
+  }
+}
+
 TEST_F(EvaluateSegmentation, KnownAnswer) {
   writeTwoFrames();
   const std::string file = (folder_ / "scores.json").string();

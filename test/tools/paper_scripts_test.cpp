@@ -2,6 +2,8 @@
 // scripts/get_tum from a mirror, and scripts/reproduce_paper on what it fetched.
 #include <gtest/gtest.h>
 
+#include <sched.h>
+
 #include <cstdlib>
 #include <opencv2/imgcodecs.hpp>
 
@@ -84,6 +86,46 @@ TEST_F(PaperScripts, GetTumTakesFromAnAddress) {
   EXPECT_NE(result.out.find("Loading 1 MB from file://"), std::string::npos) << result.out;
   EXPECT_EQ(namesIn(depth("freiburg1_desk")).size(), 2U);
   EXPECT_EQ(namesIn(data()).size(), 1U);
+}
+
+TEST_F(PaperScripts, GetTumComparesChecksums) {
+  const std::string name = "rgbd_dataset_freiburg1_desk.tgz";
+  const std::string sum =
+      runProcess("/usr/bin/sha256sum", {archive("freiburg1_desk").string()}).out.substr(0, 64);
+  const auto with = [&](const std::string& line) {
+    const std::string list = folder_.write("sums", line).string();
+    return runProcess(GET_TUM, {"--mirror", mirror(), "--checksums", list, data(), "freiburg1_desk"});
+  };
+  expectRefusal(with(std::string(64, '0') + "  " + name + "\n"), "get_tum", "damaged or replaced");
+  expectRefusal(with(sum + "  other.tgz\n"), "get_tum", "its checksum is not in");
+  folder_.write("mirror/SHA256SUMS", std::string(64, '1') + "  ./freiburg1/" + name + "\n");
+  for (const std::string& from : {mirror(), "file://" + mirror()}) {
+    EXPECT_NE(getTum(from, {"freiburg1_desk"}).err.find("damaged or replaced"), std::string::npos) << from;
+  }
+  expectNothingBehind();
+  const ToolResult good = with(sum + " *" + name + "\n");
+  ASSERT_EQ(good.exit_code, 0) << good.err;
+  EXPECT_NE(good.out.find(sum + "  " + name), std::string::npos) << good.out;
+}
+
+TEST(LastProcessor, IsTheLastOneAllowed) {
+  const std::string script = std::string("source '") + SCRIPTS +
+                             "/environment.sh'; last_processor; taskset -c 0 bash -c "
+                             "\"source '" +
+                             SCRIPTS + "/environment.sh'; last_processor\"";
+  cpu_set_t allowed;
+  ASSERT_EQ(sched_getaffinity(0, sizeof allowed, &allowed), 0);
+  int last = 0;
+  for (int i = 0; i < CPU_SETSIZE; ++i) last = CPU_ISSET(i, &allowed) ? i : last;
+  const ToolResult result = runProcess("/bin/bash", {"-c", script}, "export OMP_NUM_THREADS=1;");
+  EXPECT_EQ(result.out, std::to_string(last) + "\n0\n") << result.err;
+}
+
+TEST_F(PaperScripts, GetTumTakesUnencryptedAddressesOnlyIfAsked) {
+  const std::string from = "http://127.0.0.1:9/tum";
+  expectRefusal(getTum(from), "get_tum", "is not encrypted: use https://, or --allow-http");
+  expectRefusal(runProcess(GET_TUM, {"--mirror", from, "--allow-http", data()}), "get_tum",
+                "cannot be reached");
 }
 
 TEST_F(PaperScripts, GetTumTellsWhatIsWrong) {

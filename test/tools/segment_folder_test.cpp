@@ -95,6 +95,61 @@ TEST_F(SegmentFolder, DoesNotTakeOtherResultsForFinished) {
   EXPECT_EQ(workedOn(segment()), std::vector<int>{2}) << "a newer image";
 }
 
+TEST_F(SegmentFolder, DoesNotTakeOtherContentOfTheSameAgeForFinished) {
+  ASSERT_EQ(segment().exit_code, 0);
+  const auto time = std::filesystem::last_write_time(image(2));
+  cv::imwrite(image(2), cv::Mat(120, 160, CV_16UC1, cv::Scalar(9000)));
+  std::filesystem::last_write_time(image(2), time);
+  EXPECT_EQ(workedOn(segment()), std::vector<int>{2});
+  std::string labels = textOf(out() + "/1305031451.5.labels.png");
+  labels[labels.size() / 2] ^= 1;
+  folder_.write("out/1305031451.5.labels.png", labels);
+  folder_.write("out/1305031453.5.overlay.png", "");
+  EXPECT_EQ(workedOn(segment()), (std::vector<int>{1, 3})) << "damaged results";
+}
+
+TEST_F(SegmentFolder, NeitherKeepsNorReplacesTheResultsOfAnotherSequence) {
+  ASSERT_EQ(segment().exit_code, 0);
+  const std::string before = textOf(planes(3));
+  const std::string other = (folder_ / "rgbd_dataset_freiburg1_other").string();
+  std::filesystem::create_directories(other + "/depth");
+  const std::string other_image = other + "/depth/1305031453.5.png";
+  cv::imwrite(other_image, cv::Mat(120, 160, CV_16UC1, cv::Scalar(7000)));
+  const std::vector<std::string> arguments{"--dataset", "tum", "--out", out(), other};
+  expectRefusal(runProcess(SEGMENT_DEPTH, arguments), "segment_depth",
+                "made from another image of this name");
+  EXPECT_EQ(textOf(planes(3)), before);
+  std::filesystem::copy_file(image(3), other_image, std::filesystem::copy_options::overwrite_existing);
+  std::filesystem::last_write_time(other_image, std::filesystem::last_write_time(image(3)));
+  EXPECT_NE(runProcess(SEGMENT_DEPTH, arguments).out.find("1 frames were finished before"), std::string::npos)
+      << "a copy of the image";
+  cv::imwrite(other_image, cv::Mat(120, 160, CV_16UC1, cv::Scalar(7000)));
+  std::vector<std::string> redo = arguments;
+  redo.push_back("--redo");
+  ASSERT_EQ(runProcess(SEGMENT_DEPTH, redo).exit_code, 0);
+  EXPECT_NEAR(nlohmann::json::parse(textOf(planes(3)))["planes"][0]["d"].get<double>(), 1.4, 0.001);
+}
+
+TEST_F(SegmentFolder, EndsOnSignalsAndLeavesNothingHalfWritten) {
+  for (int i = 0; i < 300; ++i) {
+    std::filesystem::copy_file(image(0),
+                               folder_ / (std::string(kSequence) + "/depth/2" + std::to_string(i) + ".png"));
+  }
+  for (const char* signal : {"INT", "TERM", "HUP", "KILL"}) {
+    const std::string command = std::string("'") + SEGMENT_DEPTH + "' --dataset tum --redo --out '" + out() +
+                                "' '" + (folder_ / kSequence).string() + "' & sleep 0.3; kill -" + signal +
+                                " $!; wait $!";
+    // A background process of a shell without job control ignores SIGINT.
+    const ToolResult result = runProcess("/bin/bash", {"-m", "-c", command});
+    if (std::string(signal) != "KILL") {
+      EXPECT_NE(result.err.find("segment_depth: interrupted"), std::string::npos)
+          << signal << ": " << result.err;
+    }
+    for (const std::string& name : namesIn(out())) EXPECT_NE(name.front(), '.') << name;
+    EXPECT_EQ(namesIn(out()).size() % 3, 0U) << signal;
+  }
+}
+
 TEST_F(SegmentFolder, KeepsWhatIsFinishedWhenItFailsLater) {
   ASSERT_EQ(segment().exit_code, 0);
   std::filesystem::remove(planes(3));
@@ -172,6 +227,14 @@ TEST_F(SegmentFolder, RefusesAPageThatCannotBe) {
   expectRefusal(segment({"--report", out() + "/1305031450.5.planes.json"}), "segment_depth",
                 "would overwrite a result");
   expectRefusal(segment({"--report", image(0)}), "segment_depth", "would overwrite an image");
+  std::filesystem::create_hard_link(image(0), folder_ / "hard.png");
+  expectRefusal(segment({"--report", (folder_ / "hard.png").string()}), "segment_depth",
+                "would overwrite the input");
+  folder_.write(std::string(kSequence) + "/frames.csv",
+                "frame,width,height,units_per_metre,fx,fy,cx,cy\n1305031450.5,160,120,5000,525,525,80,60\n");
+  const std::string table = (folder_ / kSequence / "frames.csv").string();
+  expectRefusal(runProcess(SEGMENT_DEPTH, {"--frames-csv", table, "--out", out(), "--report", table}),
+                "segment_depth", "would overwrite the input");
   EXPECT_FALSE(std::filesystem::exists(out()));
 }
 

@@ -7,13 +7,14 @@
 
 namespace line_plane_segmentation::simulation {
 
-/// The way of a camera that somebody holds in his hands and looks around with: smooth and slow, under
+/// The path of a hand-held camera that looks around: smooth and slow, under
 /// 0.3 m/s and 30 degrees/s, with a slight tremor. Defined at all times; it comes by the same places
 /// again and again, but never repeats itself.
 class CameraPath {
  public:
   /// @param station  [m] world, the middle of the way; the camera stays within 0.6 m of it
-  /// @param target   [m] world, what it mostly looks at; not straight above or below the station
+  /// @param target   [m] world, the point that the camera mostly faces; not straight above or below the
+  /// station
   CameraPath(const Eigen::Vector3d& station, const Eigen::Vector3d& target, std::uint64_t seed);
 
   /// @param seconds  [s] since the start
@@ -36,7 +37,7 @@ class CameraPath {
   std::array<Sway, 6> sways_;  // x, y, z [m]; heading, elevation, roll [rad]
 };
 
-/// The pose of an optical frame that looks into the given direction.
+/// The pose of an optical frame that faces the given direction.
 /// @param heading    [rad] about the world's z axis, 0 along x
 /// @param elevation  [rad] above the horizon
 /// @param roll       [rad] of the camera about its line of sight, clockwise as seen from behind it

@@ -14,7 +14,7 @@ constexpr std::uint64_t mixBits(std::uint64_t x) {
 }
 
 /// Random bits that depend on nothing but the key and the counter, so that a pixel's noise is the same
-/// in whatever order, part or thread the image is made.
+/// in any order, part or thread in which the image is made.
 constexpr std::uint64_t randomBits(std::uint64_t key, std::uint64_t counter) {
   return mixBits(key + (counter + 1) * 0x9e3779b97f4a7c15U);
 }

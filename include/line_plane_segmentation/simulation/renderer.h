@@ -10,7 +10,7 @@
 
 namespace line_plane_segmentation::simulation {
 
-/// A plane that shows in a picture: all p with normal . p + d = 0, in the optical frame.
+/// A visible plane: all p with normal . p + d = 0, in the optical frame.
 struct VisiblePlane {
   std::uint16_t label = 0;                           ///< of its pixels
   Eigen::Vector3d normal = Eigen::Vector3d::Zero();  ///< unit, toward the camera
@@ -18,7 +18,7 @@ struct VisiblePlane {
   std::uint32_t pixels = 0;                          ///< that show it, at least 1
 };
 
-/// What a perfect camera sees. Row by row, width * height pixels each.
+/// Images of a perfect camera, row by row, width * height pixels each.
 struct Rendering {
   int width = 0;                      ///< [px]
   int height = 0;                     ///< [px]

@@ -27,7 +27,7 @@ struct CurvedBody {
 /// @param radii  [m], positive
 CurvedBody ellipsoid(const Eigen::Vector3d& center, const Eigen::Vector3d& radii);
 
-/// A round, upright column without end; floor and ceiling hide what lies beyond them.
+/// A round, upright column of infinite height; floor and ceiling hide the parts beyond them.
 /// @param foot    [m] a point of its axis
 /// @param radius  [m], positive
 CurvedBody column(const Eigen::Vector3d& foot, double radius);
@@ -37,10 +37,10 @@ CurvedBody column(const Eigen::Vector3d& foot, double radius);
 /// @param half_width,rise  [m], positive
 CurvedBody vault(const Eigen::Vector3d& center, double half_width, double rise);
 
-/// What there is to be seen: flat faces and a few curved bodies, in a world frame with z up.
+/// The visible world: flat faces and a few curved bodies, in a world frame with z up.
 ///
-/// Each plane has one label, from 1 in the order of their coming. Faces share it if they lie in the same
-/// plane and look the same way, also where they do not touch: the parts of a wall around a door.
+/// Each plane has one label, from 1 in the order of addition. Faces have the same label if they lie in the
+/// same plane and face the same side, even if they do not touch: the parts of a wall around a door.
 class Scene {
  public:
   /// Adds a convex polygon.

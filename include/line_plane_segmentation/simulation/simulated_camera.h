@@ -31,11 +31,11 @@ class SimulatedCamera {
   /// @throw std::invalid_argument  if the size is out of its range
   explicit SimulatedCamera(const Options& options);
 
-  /// Takes a picture.
+  /// Captures an image.
   /// @param frame     number of the frame, which its noise depends on
   /// @param seconds   [s] time on the path
   /// @param depth_mm  [mm] width * height pixels, 0 = no depth (REP 118)
-  /// @return the truth of that picture, valid until the next one
+  /// @return ground truth of that image, valid until the next call
   const Rendering& capture(std::uint64_t frame, double seconds, std::uint16_t* depth_mm);
 
   /// The pose of the optical frame in the world (z up) at that time.

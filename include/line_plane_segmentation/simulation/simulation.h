@@ -19,8 +19,9 @@
 ///     render(scene, Eigen::Isometry3d::Identity(), kinectIntrinsics(640, 480), 640, 480, truth);
 ///     KinectNoise({}, seed).apply(truth, kinectIntrinsics(640, 480), frame, depth.data());
 ///
-/// A label belongs to a plane, also where a nearer object cuts its picture apart; 0 is "no plane": nothing
-/// at all, or a curved surface. Truth says what is there, also where noise takes the depth away.
+/// All pixels of a plane have one label, even if a nearer object divides its image. Label 0 means no plane:
+/// no surface, or a curved one. The ground truth is complete, also at pixels whose depth is invalid because
+/// of noise.
 
 #include "line_plane_segmentation/simulation/camera_path.h"
 #include "line_plane_segmentation/simulation/kinect_noise.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "pcl_peers.h"
+#include "pcl_baselines.h"
 
 #include <cmath>
 #include <limits>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "contestants.h"
+#include "methods.h"
 
 #include <algorithm>
 
@@ -16,8 +16,8 @@ std::unique_ptr<Engine> makePaperEngine(int points_per_segment) {
   return makeLinePrimitiveEngine(parameters);
 }
 
-void addPeers(const std::string& ending, std::unique_ptr<Engine> (*make)(PclMethod),
-              std::vector<Contestant>& all) {
+void addBaselines(const std::string& ending, std::unique_ptr<Engine> (*make)(PclMethod),
+                  std::vector<BenchmarkMethod>& all) {
   all.push_back({"omps" + ending, false, make(PclMethod::kOmps)});
   all.push_back({"omps_refined" + ending, false, make(PclMethod::kOmpsRefined)});
   all.push_back({"ransac" + ending, true, make(PclMethod::kRansac)});
@@ -27,25 +27,25 @@ void addPeers(const std::string& ending, std::unique_ptr<Engine> (*make)(PclMeth
 
 }  // namespace
 
-std::vector<Contestant> allContestants() {
-  std::vector<Contestant> all;
+std::vector<BenchmarkMethod> allMethods() {
+  std::vector<BenchmarkMethod> all;
   all.push_back({"adaptive", false, makeLinePrimitiveEngine({})});
   all.push_back({"paper_1", false, makePaperEngine(1)});
   all.push_back({"paper_3", false, makePaperEngine(3)});
   all.push_back({"paper_5", false, makePaperEngine(5)});
-  addPeers("", makePclEngine, all);
+  addBaselines("", makePclEngine, all);
 #ifdef PCL_ENGINES_WITH_AVX2
   if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma")) {
-    addPeers("_avx2", makePclEngineWithAvx2, all);
+    addBaselines("_avx2", makePclEngineWithAvx2, all);
   }
 #endif
   return all;
 }
 
-std::vector<Contestant> contestants(const std::vector<std::string>& names) {
-  std::vector<Contestant> chosen = allContestants();
-  const auto is_other = [&names](const Contestant& contestant) {
-    return std::find(names.begin(), names.end(), contestant.name) == names.end();
+std::vector<BenchmarkMethod> selectMethods(const std::vector<std::string>& names) {
+  std::vector<BenchmarkMethod> chosen = allMethods();
+  const auto is_other = [&names](const BenchmarkMethod& method) {
+    return std::find(names.begin(), names.end(), method.name) == names.end();
   };
   chosen.erase(std::remove_if(chosen.begin(), chosen.end(), is_other), chosen.end());
   return chosen;

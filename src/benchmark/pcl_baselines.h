@@ -9,7 +9,7 @@
 
 #include "engine.h"
 
-/// What the peers' sources share. Included by them alone, since PCL's headers are in it.
+/// Declarations that the baselines' sources share. Only they include it, because it includes PCL's headers.
 namespace line_plane_segmentation {
 
 std::unique_ptr<Engine> makeOmps(bool refine);
@@ -19,7 +19,7 @@ std::unique_ptr<Engine> makeRegionGrowing();
 /// The organised cloud of a frame, NaN where there is no depth.
 pcl::PointCloud<pcl::PointXYZ>::Ptr organisedCloud(const BenchmarkFrame& frame);
 
-/// The points of a frame that have a depth, in no order that PCL knows of.
+/// The points of a frame with valid depth, as an unorganised cloud.
 pcl::PointCloud<pcl::PointXYZ>::Ptr validPoints(const BenchmarkFrame& frame);
 
 /// The labels of a frame whose k-th plane are the points planes[k - 1] of its organised cloud.
