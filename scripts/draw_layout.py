@@ -15,7 +15,7 @@ INCLUDE = re.compile(r'^\s*#\s*include\s*[<"]([^>"]+)[>"]', re.MULTILINE)
 
 # First folder or name of an included file -> library. ROS is all that needs a catkin package.
 LIBRARIES = {"Eigen": "Eigen", "opencv2": "OpenCV", "pcl": "PCL", "pcl_conversions": "PCL", "boost": "Boost",
-             "nlohmann": "nlohmann-json", "pybind11": "pybind11", "rosbag": "rosbag", "rviz": "rviz"}
+             "nlohmann": "nlohmann-json", "openssl": "OpenSSL", "pybind11": "pybind11", "rosbag": "rosbag", "rviz": "rviz"}
 ROS = {"ros", "nodelet", "pluginlib", "tf2", "tf2_ros", "tf2_eigen", "image_transport", "message_filters",
        "diagnostic_updater", "dynamic_reconfigure", "sensor_msgs", "geometry_msgs", "shape_msgs", "std_msgs",
        "visualization_msgs", "diagnostic_msgs", "tf2_msgs", "topic_tools", "sensor_msgs", "roscpp", "image_geometry"}

@@ -133,7 +133,7 @@ def run_batch(build, numbers, jobs):
 
 
 def run_ctest(build, selection, serial):
-    """Runs the tests; returns their ctest descriptions and the set of names of those that failed."""
+    """Runs the tests. Returns their ctest descriptions and the names of the failed ones."""
     number_of = {test["name"]: number for number, test in enumerate(list_tests(build, []), 1)}
     tests = list_tests(build, selection)
     for path in filter(None, map(result_file, tests)):

@@ -39,7 +39,7 @@ class BagOutput {
     });
   }
 
-  /// @throws BadInput if there is no more room
+  /// @throws BadInput if the disk is full
   void close();
 
  private:

@@ -48,7 +48,7 @@ class Storm {
   // How many requests were answered so far.
   int answered() const { return answered_; }
 
-  // @return how many requests were answered
+  // @return number of answered requests
   int stop() {
     stop_ = true;
     if (thread_.joinable()) thread_.join();
