@@ -26,6 +26,9 @@ case $(rospack find line_plane_segmentation) in "$2"/*) ;; *) echo "found elsewh
 for tool in segment_depth segment_bag evaluate_segmentation benchmark_segmentation benchmark_messages; do
   echo "$tool"
   rosrun line_plane_segmentation "$tool" --help >/dev/null
+  # On the PATH of the sourced workspace, too.
+  [ "$(command -v "$tool")" = "$2/bin/$tool" ]
+  "$tool" --version | grep -qx "$tool [0-9]*\.[0-9]*\.[0-9]*"
 done
 # Reading openni2.launch ends with an error where the camera's driver is not installed.
 for launch_file in "$1"/launch/*.launch; do
