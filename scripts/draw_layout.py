@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Draws which folder of src/ uses which other folder and which library, from the #include lines: doc/layout.dot and
-doc/layout.svg. With --check it changes nothing and fails if doc/layout.dot is out of date."""
+"""Draws from the #include lines which folder uses which other folder or library: the folders of src/ in doc/layout.svg,
+those of src/core/ in doc/core_layout.svg. With --check it changes nothing and fails if the .dot files are out of date."""
 import argparse
 import collections
 import pathlib
@@ -62,19 +62,34 @@ def read_layout():
     return layout
 
 
-def dot_of(layout):
+def read_core_layout():
+    """{folder: set of what it uses}, for each folder of src/core/ and the facade above them. Public headers are left out."""
+    core = ROOT / "src" / "core"
+    layout = collections.defaultdict(set)
+    for path in core.rglob("*"):
+        if path.suffix in (".h", ".cpp"):
+            parts = path.relative_to(core).parts
+            folder = parts[0] if len(parts) > 1 else "PlaneSegmenter"
+            for include in INCLUDE.findall(path.read_text(encoding="utf-8")):
+                used = include.split("/")[0]
+                if "/" in include and used != folder and (core / include).exists():
+                    layout[folder].add(("folder", used))
+                    layout[used].update()
+    return layout
+
+
+def dot_of(layout, prefix):
     lines = ["// SPDX-License-Identifier: BSD-3-Clause", "// Made by scripts/draw_layout.py from the #include lines.",
              "digraph layout {",
              '  graph [fontname="Helvetica", fontsize=12, ranksep=0.5, nodesep=0.3, bgcolor=white, pad=0.2]',
              '  node [fontname="Helvetica", fontsize=12, shape=box, style="rounded,filled", color="#556677"]',
              '  edge [color="#556677", arrowsize=0.7]']
-    libraries = collections.defaultdict(list)
     for folder in sorted(layout):
         names = sorted(name for kind, name in layout[folder] if kind == "library")
-        libraries[folder] = names
         needs = "\\n" + ", ".join(names) if names else ""
-        lines.append('  %s [label="src/%s%s", fillcolor="%s"]' %
-                     (folder, folder, needs, "#eef7ee" if folder == "core" else "#eef3fa"))
+        path = folder if folder == "PlaneSegmenter" else prefix + folder
+        lines.append('  %s [label="%s%s", fillcolor="%s"]' %
+                     (folder, path, needs, "#eef7ee" if "core" in path else "#eef3fa"))
     for folder in sorted(layout):
         lines += ["  %s -> %s" % (folder, name) for kind, name in sorted(layout[folder]) if kind == "folder"]
     return "\n".join(lines + ["}", ""])
@@ -82,15 +97,16 @@ def dot_of(layout):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("--check", action="store_true", help="fail if doc/layout.dot is out of date")
+    parser.add_argument("--check", action="store_true", help="fail if the .dot files are out of date")
     arguments = parser.parse_args()
-    dot, target = dot_of(read_layout()), ROOT / "doc" / "layout.dot"
-    if arguments.check:
-        if not target.exists() or target.read_text(encoding="utf-8") != dot:
-            sys.exit("doc/layout.dot is out of date: run scripts/draw_layout.py")
-        return
-    target.write_text(dot, encoding="utf-8")
-    subprocess.run(["dot", "-Tsvg", str(target), "-o", str(target.with_suffix(".svg"))], check=True)
+    for name, dot in (("layout", dot_of(read_layout(), "src/")), ("core_layout", dot_of(read_core_layout(), "core/"))):
+        target = ROOT / "doc" / (name + ".dot")
+        if arguments.check:
+            if not target.exists() or target.read_text(encoding="utf-8") != dot:
+                sys.exit("%s is out of date: run scripts/draw_layout.py" % target)
+            continue
+        target.write_text(dot, encoding="utf-8")
+        subprocess.run(["dot", "-Tsvg", str(target), "-o", str(target.with_suffix(".svg"))], check=True)
 
 
 if __name__ == "__main__":
