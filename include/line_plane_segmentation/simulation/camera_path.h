@@ -12,17 +12,17 @@ namespace line_plane_segmentation::simulation {
 /// again and again, but never repeats itself.
 class CameraPath {
  public:
-  /// @param station  [m] world, the middle of the way; the camera stays within 0.6 m of it
+  /// @param station  [m] centre of the path in the world frame; the camera stays within 0.6 m of it
   /// @param target   [m] world, the point that the camera mostly faces; not straight above or below the
   /// station
   CameraPath(const Eigen::Vector3d& station, const Eigen::Vector3d& target, std::uint64_t seed);
 
-  /// @param seconds  [s] since the start
+  /// @param seconds  [s] time since the start
   /// @return the pose of the optical frame (x right, y down, z forward) in the world (z up)
   Eigen::Isometry3d pose(double seconds) const;
 
  private:
-  /// A slow swing and a fast, small tremor.
+  /// Sum of a slow oscillation and a fast, small one.
   struct Sway {
     double amplitude = 0.0;
     double tremor = 0.0;
@@ -40,7 +40,7 @@ class CameraPath {
 /// The pose of an optical frame that faces the given direction.
 /// @param heading    [rad] about the world's z axis, 0 along x
 /// @param elevation  [rad] above the horizon
-/// @param roll       [rad] of the camera about its line of sight, clockwise as seen from behind it
+/// @param roll  [rad] rotation about the optical axis, clockwise as seen from behind the camera
 Eigen::Isometry3d lookingAlong(const Eigen::Vector3d& position, double heading, double elevation,
                                double roll);
 

@@ -8,11 +8,11 @@
 
 namespace line_plane_segmentation::simulation {
 
-/// What stands in a room beside the floor, four walls, a table with boxes on it and a box on the floor,
-/// which all rooms have.
+/// Optional content of a room. Every room has a floor, four walls, a table with boxes on it and a box on
+/// the floor.
 struct RoomFeatures {
   bool ceiling = false;        ///< flat
-  bool vault = false;          ///< a curved ceiling in place of the flat one
+  bool vault = false;          ///< a curved ceiling instead of the flat one
   bool door = false;           ///< in a recess of the far wall
   bool step = false;           ///< a platform in the far right corner
   bool shelf = false;          ///< with boards and books, at the left wall
@@ -23,16 +23,17 @@ struct RoomFeatures {
   bool ball = false;           ///< curved
 };
 
+/// A furnished room and the path of a camera in it.
 struct Room {
-  Scene scene;
-  CameraPath path;
-  RoomFeatures features;
+  Scene scene;            ///< faces and curved bodies, z up
+  CameraPath path;        ///< path of the camera
+  RoomFeatures features;  ///< optional content
 };
 
-/// A room of one's own for every seed, furnished as the seed says.
+/// Returns a room whose content, sizes and positions depend on the seed.
 Room simulatedRoom(std::uint64_t seed);
 
-/// A room with just these features; the seed gives the sizes and places.
+/// Returns a room with the given content; sizes and positions depend on the seed.
 Room simulatedRoom(std::uint64_t seed, const RoomFeatures& features);
 
 }  // namespace line_plane_segmentation::simulation

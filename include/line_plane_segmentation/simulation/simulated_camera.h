@@ -21,6 +21,7 @@ CameraIntrinsics kinectIntrinsics(int width, int height);
 /// number and its time alone.
 class SimulatedCamera {
  public:
+  /// Settings of the camera.
   struct Options {
     std::uint64_t seed = 1;  ///< of the room, the path and the noise
     int width = 640;         ///< [px] 1 to kMaxImageSide
@@ -32,17 +33,20 @@ class SimulatedCamera {
   explicit SimulatedCamera(const Options& options);
 
   /// Captures an image.
-  /// @param frame     number of the frame, which its noise depends on
+  /// @param frame  number of the frame, which determines its noise
   /// @param seconds   [s] time on the path
-  /// @param depth_mm  [mm] width * height pixels, 0 = no depth (REP 118)
+  /// @param depth_mm  [mm] output, width * height pixels, 0 = invalid (REP 118)
   /// @return ground truth of that image, valid until the next call
   const Rendering& capture(std::uint64_t frame, double seconds, std::uint16_t* depth_mm);
 
-  /// The pose of the optical frame in the world (z up) at that time.
+  /// Returns the pose of the optical frame in the world (z up) at this time.
   Eigen::Isometry3d pose(double seconds) const { return room_.path.pose(seconds); }
 
+  /// Intrinsics of the images.
   const CameraIntrinsics& intrinsics() const { return intrinsics_; }
+  /// The options given to the constructor.
   const Options& options() const { return options_; }
+  /// The room that the camera moves through.
   const Room& room() const { return room_; }
 
  private:

@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-/// All of the simulated camera: depth images with exact truth, for demonstrations, tests and benchmarks.
-/// Links Eigen and the core's headers alone (CMake target line_plane_segmentation_simulation).
+/// The simulated camera: depth images with exact ground truth, for demonstrations, tests and benchmarks.
+/// Depends on Eigen and the core's headers only (CMake target line_plane_segmentation_simulation).
 ///
-/// A ready camera in a furnished room:
+/// A camera in a furnished room:
 ///
 ///     SimulatedCamera camera({seed, 640, 480, true});
 ///     std::vector<std::uint16_t> depth(640 * 480);
 ///     const Rendering& truth = camera.capture(frame, frame / 30.0, depth.data());
 ///     // depth: millimetres as from a Kinect; truth.labels, truth.planes, truth.depth: without any error
 ///
-/// A scene of one's own, with or without noise:
+/// Your own scene, with or without noise:
 ///
 ///     Scene scene;
 ///     scene.addRectangle({-1, -1, 2}, {0, 2, 0}, {2, 0, 0});  // faces a camera at the origin
