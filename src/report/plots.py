@@ -4,6 +4,7 @@
 import io
 
 import matplotlib
+import PIL.Image
 
 matplotlib.use("Agg")
 from matplotlib import pyplot  # noqa: E402
@@ -14,9 +15,11 @@ OURS, BASELINE = "#288c50", "#1e6ebe"
 
 
 def png_of(figure):
-    encoded = io.BytesIO()
-    figure.savefig(encoded, format="png", dpi=100, metadata={"Software": None})
+    """The figure without matplotlib's alpha channel, which an opaque picture does not need."""
+    rendered, encoded = io.BytesIO(), io.BytesIO()
+    figure.savefig(rendered, format="png", dpi=100)
     pyplot.close(figure)
+    PIL.Image.open(rendered).convert("RGB").save(encoded, "PNG")
     return encoded.getvalue()
 
 

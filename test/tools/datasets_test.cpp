@@ -140,7 +140,7 @@ TEST_F(Datasets, RefuseWhatIsNotThere) {
   touch("freiburg1/rgb/1.png");
   expectRefused("tum", "freiburg1", "there is no *.png, nor in its depth/");
   expectRefused("tum", "nowhere", "nowhere: no such folder");
-  expectRefused("kitti", "freiburg1", "there are tum, icl_nuim, nyu and 7scenes");
+  expectRefused("kitti", "freiburg1", "there are tum, icl_nuim, nyu, 7scenes and scannet");
   touch("seq-02/frame-000001.color.png");
   expectRefused("7scenes", "seq-02", "there is no *.depth.png");
 }
