@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Segments the images of write_test_rooms with a Kinect's intrinsics and prints the results, for comparison
-// between machines: one line for the labels of each image, then one for each plane with all its digits.
-// Usage: segment_test_rooms <FILE
+// between machines: one line for the labels of each image, then for each plane one with all digits, and a
+// rounded one of the numbers that Eigen computes with fused multiply-adds where a processor always has them,
+// as aarch64. Usage: segment_test_rooms <FILE
 #include <cstdint>
 #include <cstdio>
 #include <iostream>
@@ -22,8 +23,10 @@ std::uint64_t hashOf(const std::vector<std::uint16_t>& labels) {
 void print(const lps::Segmentation& found) {
   std::printf("labels %016llx\n", static_cast<unsigned long long>(hashOf(found.labels)));
   for (const lps::SegmentedPlane& plane : found.planes) {
-    std::printf("plane %d %u %a %a %a %a %a %a\n", plane.label, plane.inliers, plane.normal.x(),
-                plane.normal.y(), plane.normal.z(), plane.d, plane.rms, plane.area);
+    std::printf("plane %d %u %a %a %a %a %a\n", plane.label, plane.inliers, plane.normal.x(),
+                plane.normal.y(), plane.normal.z(), plane.d, plane.area);
+    std::printf("rounded %.6e %.5e %.5e %.5e %.5e\n", plane.rms, plane.covariance(0, 0),
+                plane.covariance(1, 1), plane.covariance(2, 2), plane.covariance(3, 3));
   }
 }
 
