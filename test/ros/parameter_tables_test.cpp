@@ -12,8 +12,8 @@
 namespace line_plane_segmentation {
 namespace {
 
-/// Default per parameter of the rows "| `name` | default | ..." of the section "## Parameters", without those
-/// of its subsections. A row may hold several names: "| `name`, `name` | default | ...".
+/// Default per parameter of the rows "| `name` | default | ..." of the sections about parameters that can be
+/// changed at run time. A row may hold several names: "| `name`, `name` | default | ...".
 std::map<std::string, std::string> parameterTable(const std::string& file) {
   const std::regex row("^\\| (`\\w+`(?:, `\\w+`)*) \\| ([^|]*) \\|.*");
   const std::regex name("\\w+");
@@ -21,7 +21,9 @@ std::map<std::string, std::string> parameterTable(const std::string& file) {
   std::ifstream document(std::string(SOURCE_FOLDER) + "/" + file);
   bool is_inside = false;
   for (std::string line; std::getline(document, line);) {
-    if (!line.empty() && line.front() == '#') is_inside = line == "## Parameters";
+    if (!line.empty() && line.front() == '#') {
+      is_inside = line == "## Parameters" || line == "### Parameters of single stages";
+    }
     std::smatch match;
     if (!is_inside || !std::regex_match(line, match, row)) continue;
     const std::string names = match[1];
@@ -61,6 +63,13 @@ void expectDefaults(const std::string& file, std::size_t least_count) {
 }
 
 TEST(ParameterTables, readmeStatesTheDefaults) { expectDefaults("README.md", 5); }
+
+TEST(ParameterTables, rosReferenceListsAllParameters) {
+  const std::map<std::string, std::string> table = parameterTable("doc/ros.md");
+  for (const auto& [name, value] : numericDefaults()) {
+    EXPECT_EQ(1U, table.count(name)) << name << " = " << value << " is missing in doc/ros.md";
+  }
+}
 
 TEST(ParameterTables, rosReferenceStatesTheDefaults) { expectDefaults("doc/ros.md", 27); }
 
