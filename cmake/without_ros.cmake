@@ -2,7 +2,9 @@
 # The library, the tools and the Python module for projects without ROS:
 #   find_package(line_plane_segmentation REQUIRED)
 #   target_link_libraries(... line_plane_segmentation::core)
-include(GNUInstallDirs)
+if(LPS_INSTALL)
+  include(GNUInstallDirs)  # which caches its variables: not in a parent project that did not ask for it
+endif()
 include(cmake/warnings.cmake)
 include(cmake/tool_on_path.cmake)
 
