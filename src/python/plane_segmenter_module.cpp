@@ -8,9 +8,9 @@
 #include <string>
 
 #include "depth_array.h"
+#include "line_plane_segmentation/palette.h"
 #include "line_plane_segmentation/parameters.h"
 #include "line_plane_segmentation/plane_segmenter.h"
-#include "line_plane_segmentation/palette.h"
 #include "line_plane_segmentation/stage_clock.h"
 #include "modules.h"
 #include "numeric_arguments.h"
