@@ -63,19 +63,19 @@ TEST_F(SegmentDepth, ReadsOtherFormats) {
   metres.convertTo(doubles, CV_64F);
   expectWall(writeImage("a16.tiff", wall()), "5000");
   expectWall(writeImage("a32.tiff", metres), "1");
-  expectWall(writeImage("a16.pgm", wall()), "5000");
+  expectWall(writeImage("b16.pgm", wall()), "5000");
   expectWall(npy("u2.npy", "<u2", wall()), "5000");
   expectWall(npy("f4.npy", "<f4", metres), "1");
   expectWall(npy("f8.npy", "<f8", doubles), "1");
   setenv("OPENCV_IO_ENABLE_OPENEXR", "1", 1);
-  expectWall(writeImage("a32.exr", metres), "1");
+  expectWall(writeImage("c32.exr", metres), "1");
 
   std::filesystem::remove_all(out());
   expectRefused(segment({npy("wide.npy", "<u4", wall())}), "wide.npy: holds numbers of type '<u4'");
   expectRefused(segment({folder_.write("cut.npy", textOf(folder_ / "f4.npy").substr(0, 1000)).string()}),
                 "is cut off");
   expectRefused(segment({folder_.write("short.npy", "\x93NUMPY").string()}), "cut off in its header");
-  for (const char* huge : {"a16.tiff", "a32.exr", "a16.pgm", "f4.npy"}) {
+  for (const char* huge : {"a16.tiff", "c32.exr", "b16.pgm", "f4.npy"}) {
     expectRefused(segment({(folder_ / huge).string(), "--max-pixels", "1000"}), "640 x 480 pixels, too many");
   }
 }
