@@ -99,7 +99,11 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--check", action="store_true", help="fail if the .dot files are out of date")
     arguments = parser.parse_args()
-    for name, dot in (("layout", dot_of(read_layout(), "src/")), ("core_layout", dot_of(read_core_layout(), "core/"))):
+    pictures = [("layout", dot_of(read_layout(), "src/"))]
+    core = read_core_layout()
+    if core:
+        pictures.append(("core_layout", dot_of(core, "core/")))
+    for name, dot in pictures:
         target = ROOT / "doc" / (name + ".dot")
         if arguments.check:
             if not target.exists() or target.read_text(encoding="utf-8") != dot:
