@@ -2,6 +2,7 @@
 #include "line_primitive_segmenter.h"
 
 #include <algorithm>
+#include <boost/algorithm/string/predicate.hpp>
 #include <cmath>
 #include <type_traits>
 
@@ -13,6 +14,15 @@ int scaled(int value, double factor) { return std::max(1, static_cast<int>(std::
 // What the image determines. Everything else in this file is independent of how it does.
 Parameters resolvedFor(const LabelledFrame& frame, const Parameters& parameters) {
   return resolve(parameters, frame.depth.cols);
+}
+
+// Scales the spacings that are set; the others follow from the first of them.
+void scaleSpacings(double factor, Parameters& parameters) {
+  visitParameters(parameters, [factor](const std::string& name, auto& field, auto, auto) {
+    if constexpr (std::is_same_v<std::decay_t<decltype(field)>, int>) {
+      if (field != 0 && boost::ends_with(name, "_spacing")) field = scaled(field, factor);
+    }
+  });
 }
 
 }  // namespace
@@ -62,9 +72,8 @@ int LinePrimitiveSegmenter::gridSpacing(const LabelledFrame& frame, const FrameV
 const Segmentation& LinePrimitiveSegmenter::segmentPlanes(const LabelledFrame& frame,
                                                           const FrameVariant& variant) {
   Parameters parameters = scaledParameters(frame);
+  scaleSpacings(variant.spacing_factor, parameters);
   parameters.scanlines.scanline_spacing = gridSpacing(frame, variant);
-  int& fine_spacing = parameters.scanlines.fine_spacing;
-  if (fine_spacing != 0) fine_spacing = scaled(fine_spacing, variant.spacing_factor);
   parameters.outlines.trace_outlines = false;
   segmenter_.setParameters(parameters);
   const auto metres_per_unit = static_cast<float>(1.0 / frame.units_per_metre);
