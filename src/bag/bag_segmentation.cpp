@@ -18,6 +18,7 @@
 #include "planes_csv.h"
 #include "progress.h"
 #include "run_tool.h"
+#include "topic_advice.h"
 
 namespace line_plane_segmentation {
 namespace {
@@ -34,15 +35,20 @@ class BagSegmentation {
       : task_(task), topics_(task.topics), in_(openBag(task.in, [this](const auto& topic, const auto& type) {
           return task_.input || topics_.wants(topic, type) ||
                  (needsTransforms() && BagTransforms::wants(topic, type));
-        })) {}
+        })) {
+    topics_.setBagTopics(in_->topics());
+  }
 
   void run() {
     checkNamedTopics();
+    // Before, there is nothing to take away.
+    catchInterruption();
     OutputFiles files;
     out_.emplace(files.reserve(task_.out), task_.compression);
     if (!task_.csv.empty()) csv_.emplace(files.reserve(task_.csv));
 
-    std::vector<Slot> slots(slotsForAllCores());
+    std::vector<Slot> slots;
+    for (std::size_t i = 0; i < slotsForAllCores(); ++i) slots.push_back({{}, FrameSegmenter(task_.limits)});
     for (Slot& slot : slots) slot.segmenter.setParameters(task_.parameters);
     workInOrder(
         slots, [this](Slot& slot) { return fill(slot); },
@@ -63,19 +69,37 @@ class BagSegmentation {
  private:
   void checkNamedTopics() const {
     if (in_->topics().empty()) return;
-    for (const std::string& name : task_.topics) {
-      const auto found = in_->topics().find(name);
-      if (found == in_->topics().end()) throw BadInput(task_.in.string() + ": has no topic " + name);
-      if (found->second != "sensor_msgs/Image") {
-        throw BadInput(task_.in.string() + ": " + name + " is " + found->second + ", no sensor_msgs/Image");
-      }
+    for (const std::string& name : task_.topics.images) {
+      if (typeOf(name) == "sensor_msgs/Image" || typeOf(name) == "sensor_msgs/CompressedImage") continue;
+      if (!typeOf(name + "/compressedDepth").empty() || !typeOf(name + "/compressed").empty()) continue;
+      checkIsThere(name);
+      throw BadInput(task_.in.string() + ": " + name + " is " + typeOf(name) + ", not an image");
     }
+    for (const std::string& name : task_.topics.infos) {
+      checkIsThere(name);
+      if (typeOf(name) == "sensor_msgs/CameraInfo") continue;
+      throw BadInput(task_.in.string() + ": " + name + " is " + typeOf(name) +
+                     ", not sensor_msgs/CameraInfo");
+    }
+  }
+
+  void checkIsThere(const std::string& name) const {
+    if (!typeOf(name).empty()) return;
+    throw BadInput(task_.in.string() + ": has no topic " + name + "; " +
+                   describeTopics(in_->topics(), topics_));
+  }
+
+  // Empty if there is no such topic.
+  std::string typeOf(const std::string& topic) const {
+    const auto found = in_->topics().find(topic);
+    return found == in_->topics().end() ? std::string() : found->second;
   }
 
   bool needsTransforms() const { return task_.location.frames.any(); }
 
   // Takes the next message of the bag. False if there is none.
   bool readOne() {
+    stopIfInterrupted();
     BagMessage message;
     if (!in_->next(message)) return false;
     read_until_ = message.time;
@@ -93,7 +117,9 @@ class BagSegmentation {
   bool fill(Slot& slot) {
     stopIfInterrupted();
     while (ready_.empty()) {
-      if (!readOne()) return false;
+      if (readOne()) continue;
+      topics_.finish(ready_);
+      if (ready_.empty()) return false;
     }
     slot.frame = ready_.front();
     ready_.pop_front();
@@ -136,14 +162,18 @@ class BagSegmentation {
   }
 
   // As the nodelet waits for transforms that are late, or the first of all, the bag is read on.
-  CameraPlaces findPlaces(const BagFrame& frame, const PlaneLocator& locator,
-                          const std_msgs::Header& header) {
+  CameraPlaces findPlaces(const BagFrame& frame, PlaneLocator& locator, const std_msgs::Header& header) {
+    constexpr std::size_t kMaxWaiting = 64;  // frames, however little the recording times advance
     const double latest = frame.time.toSec() + task_.location.frames.tf_patience;
     CameraPlaces places = locator.lookUp(header);
     const auto mayCome = [&places] {
       return places.has(TransformLookup::Answer::kLate) || places.has(TransformLookup::Answer::kUnknown);
     };
-    while (mayCome() && read_until_.toSec() < latest && readOne()) places = locator.lookUp(header);
+    while (mayCome() && read_until_.toSec() < latest && ready_.size() < kMaxWaiting && readOne()) {
+      places = locator.lookUp(header);
+    }
+    locator.clearIfClockWentBack(places, clock_jump_);
+    locator.fallBack(header, places);
     return places;
   }
 
@@ -167,15 +197,13 @@ class BagSegmentation {
   std::string whyNothing() const {
     std::string text = damageText();
     if (!text.empty()) text += "; ";
-    if (topics_.all().empty()) {
-      text += "holds no depth images";
-      for (const std::string& other : topics_.others()) text += ", but " + other;
-      return text;
-    }
+    if (topics_.all().empty())
+      return text + "holds no depth images; " + describeTopics(in_->topics(), topics_);
     const DepthTopic& topic = topics_.all().front();
     if (topic.refused > 0) return text + topic.image + ": " + topic.refusal;
     return text + "none of the " + std::to_string(topic.images) + " images of " + topic.image +
-           " has a camera_info of its stamp on " + topic.info;
+           " has a camera_info" + (topic.info.empty() ? "" : " on " + topic.info) + "; " +
+           adviseOnInfos(topics_.infoTopics());
   }
 
   // What was asked for in vain: a wrong name, most likely.
@@ -203,6 +231,8 @@ class BagSegmentation {
                   topic.frames, topic.planes);
       const std::size_t unpaired = topic.images - topic.frames - topic.refused;
       if (unpaired > 0) std::printf(", %zu images without camera_info", unpaired);
+      if (topic.guessed > 0)
+        std::printf(", %zu with the newest camera_info of %s", topic.guessed, topic.info.c_str());
       if (topic.refused > 0) std::printf(", %zu refused: %s", topic.refused, topic.refusal.c_str());
       std::printf("\n");
     }
@@ -217,6 +247,7 @@ class BagSegmentation {
   std::deque<BagFrame> ready_;
   BagTransforms transforms_;
   ros::Time read_until_;
+  ClockJump clock_jump_{30, std::chrono::seconds(0)};
   std::map<const DepthTopic*, PlaneLocator> locators_;
   bool gravity_found_ = false;
   bool fixed_found_ = false;

@@ -4,10 +4,10 @@
 #include <rosbag/stream.h>
 
 #include <filesystem>
-#include <string>
-#include <vector>
 
+#include "depth_topics.h"
 #include "line_plane_segmentation/parameters.h"
+#include "line_plane_segmentation/ros/image_validation.h"
 #include "line_plane_segmentation/ros/location_parameters.h"
 
 namespace line_plane_segmentation {
@@ -16,8 +16,9 @@ namespace line_plane_segmentation {
 struct BagTask {
   std::filesystem::path in;
   std::filesystem::path out;
-  std::filesystem::path csv;        ///< table of the planes; empty: none
-  std::vector<std::string> topics;  ///< the depth images; empty: all that are in the bag
+  std::filesystem::path csv;  ///< table of the planes; empty: none
+  TopicChoice topics;         ///< the depth images, and where their intrinsics come from
+  InputLimits limits;
   Parameters parameters;
   LocationParameters location;
 

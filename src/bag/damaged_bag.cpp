@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <ros/header.h>
 #include <rosbag/chunked_file.h>
-#include <rosbag/constants.h>
 #include <rosbag/stream.h>
 
 #include <algorithm>
@@ -12,48 +10,13 @@
 #include <vector>
 
 #include "bag_input.h"
+#include "bag_record.h"
 #include "run_tool.h"
 
 namespace line_plane_segmentation {
 namespace {
 
 using Bytes = std::vector<std::uint8_t>;
-
-constexpr std::uint32_t kLargestHeader = 1U << 20;
-constexpr std::uint32_t kLargestChunk = 1U << 30;
-
-std::uint32_t numberAt(const std::uint8_t* bytes) {  // little endian, as all numbers of a bag
-  return bytes[0] | static_cast<std::uint32_t>(bytes[1]) << 8 | static_cast<std::uint32_t>(bytes[2]) << 16 |
-         static_cast<std::uint32_t>(bytes[3]) << 24;
-}
-
-/// The named fields at the head of a record.
-class Fields {
- public:
-  bool parse(std::uint8_t* bytes, std::uint32_t size) {
-    header_ = ros::Header();
-    std::string error;
-    return header_.parse(bytes, size, error);
-  }
-  std::string text(const std::string& name) const {
-    std::string value;
-    header_.getValue(name, value);
-    return value;
-  }
-  std::uint32_t number(const std::string& name, std::size_t at = 0) const {
-    const std::string bytes = text(name);
-    if (bytes.size() < at + 4) return 0;
-    return numberAt(reinterpret_cast<const std::uint8_t*>(bytes.data()) + at);
-  }
-  unsigned operation() const {
-    const std::string value = text(rosbag::OP_FIELD_NAME);
-    return value.size() == 1 ? static_cast<unsigned char>(value[0]) : 0;
-  }
-  boost::shared_ptr<ros::M_string> all() { return header_.getValues(); }
-
- private:
-  ros::Header header_;
-};
 
 class DamagedBag : public BagInput {
  public:
@@ -118,7 +81,7 @@ class DamagedBag : public BagInput {
   void addConnection(std::uint8_t* data, std::uint32_t size) {
     const std::string topic = fields_.text(rosbag::TOPIC_FIELD_NAME);
     const std::uint32_t id = fields_.number(rosbag::CONNECTION_FIELD_NAME);
-    Fields header;
+    RecordFields header;
     if (!header.parse(data, size)) return;
     connections_[id] = {topic, header.all(), wanted_(topic, header.text("type"))};
   }
@@ -140,7 +103,7 @@ class DamagedBag : public BagInput {
   bool readFromFile() {
     std::array<std::uint8_t, 4> number{};
     Bytes header;
-    if (!read(number.data(), 4) || numberAt(number.data()) > kLargestHeader) return false;
+    if (!read(number.data(), 4) || numberAt(number.data()) > kLargestRecordHeader) return false;
     header.resize(numberAt(number.data()));
     if (!read(header.data(), header.size()) || !read(number.data(), 4)) return false;
     if (!fields_.parse(header.data(), static_cast<std::uint32_t>(header.size()))) return false;
@@ -199,7 +162,7 @@ class DamagedBag : public BagInput {
   std::uint64_t at_ = 0;
   MessageFilter wanted_;
   std::string damage_;
-  Fields fields_;
+  RecordFields fields_;
   Bytes chunk_;
   std::size_t chunk_at_ = 0;
   std::map<std::uint32_t, Connection> connections_;

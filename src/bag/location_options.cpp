@@ -62,6 +62,13 @@ bool setLocationParameter(const std::string& name, const std::string& value, Loc
     known = true;
     frame = !value.empty() && value.front() == '/' ? value.substr(1) : value;
   });
+  if (name == "tf_fallback") {
+    known = true;
+    if (value != kNoTransform && value != kLatestTransform) {
+      throw BadInput("'" + value + "' is no value for tf_fallback; there are none and latest");
+    }
+    parameters.frames.tf_fallback = value;
+  }
   return known;
 }
 
@@ -74,6 +81,8 @@ std::string locationParameterList() {
   visitNumbers(defaults, [&list](const std::string& name, auto value, auto min, auto max) {
     list += parameterLine(name, toText(value), toText(min) + " to " + toText(max));
   });
+  list += parameterLine("tf_fallback", defaults.frames.tf_fallback,
+                        "or latest: the newest transform for one that is late");
   return list;
 }
 

@@ -6,7 +6,8 @@
 
 #include "bag_task.h"
 #include "command_line.h"
-#include "interruption.h"
+#include "depth_frames.h"
+#include "input_options.h"
 #include "location_options.h"
 #include "output_files.h"
 #include "parameter_options.h"
@@ -20,10 +21,15 @@ namespace po = boost::program_options;
 
 po::options_description options() {
   po::options_description shown("Options");
-  shown.add_options()(
-      "topic", po::value<std::vector<std::string>>()->value_name("TOPIC")->default_value({}, ""),
-      "a depth image topic, with its camera_info beside it; may be given more than once; without it, "
-      "every 16UC1 and 32FC1 image topic")("labels", "write the label images, too")(
+  shown.add_options()("topic",
+                      po::value<std::vector<std::string>>()->value_name("TOPIC")->default_value({}, ""),
+                      "a depth image topic, plain or compressed; may be given more than once; without it, "
+                      "every topic of 16UC1 or "
+                      "32FC1 images, and of mono16 ones if its name says depth")(
+      "info-topic", po::value<std::vector<std::string>>()->value_name("TOPIC")->default_value({}, ""),
+      "its camera_info, where that is not beside the images: once for all, or once for each --topic")(
+      "camera", po::value<std::string>()->value_name("FX,FY,CX,CY"),
+      "the intrinsics, for a bag without camera_info")("labels", "write the label images, too")(
       "cloud", "write the coloured clouds, too (large)")("overlay", "write the overlay pictures, too")(
       "markers", "write the markers for rviz, too")("scanlines",
                                                     "write the line segments and candidates for rviz, too")(
@@ -52,7 +58,8 @@ void printHelp() {
                "code is 1.\n\n"
             << options() << '\n'
             << parameterList() << '\n'
-            << locationParameterList();
+            << locationParameterList() << '\n'
+            << inputParameterList();
 }
 
 rosbag::CompressionType compressionOf(const po::variables_map& given) {
@@ -66,6 +73,28 @@ rosbag::CompressionType compressionOf(const po::variables_map& given) {
   return found->second;
 }
 
+std::vector<std::string> topicNames(const po::variables_map& given, const std::string& option) {
+  auto topics = given[option].as<std::vector<std::string>>();
+  for (std::string& topic : topics) {
+    if (topic.empty() || topic.front() != '/') topic.insert(0, "/");
+  }
+  return topics;
+}
+
+TopicChoice topicsOf(const po::variables_map& given) {
+  TopicChoice topics;
+  topics.images = topicNames(given, "topic");
+  topics.infos = topicNames(given, "info-topic");
+  if (topics.infos.size() > 1 && topics.infos.size() != topics.images.size()) {
+    throw BadInput("give --info-topic once, or as often as --topic");
+  }
+  if (given.count("camera") != 0) {
+    topics.camera = parseCamera(given["camera"].as<std::string>());
+    if (!topics.infos.empty()) throw BadInput("--camera takes the place of --info-topic: give one of them");
+  }
+  return topics;
+}
+
 BagTask taskOf(const po::variables_map& given) {
   const auto& bags = given["bag"].as<std::vector<std::string>>();
   if (bags.size() != 2) throw BadInput("give two bags, IN.bag and OUT.bag; see --help");
@@ -73,12 +102,9 @@ BagTask taskOf(const po::variables_map& given) {
   task.in = bags[0];
   task.out = bags[1];
   if (given.count("csv") != 0) task.csv = given["csv"].as<std::string>();
-  task.topics = given["topic"].as<std::vector<std::string>>();
-  for (std::string& topic : task.topics) {
-    if (topic.empty() || topic.front() != '/') topic.insert(0, "/");
-  }
+  task.topics = topicsOf(given);
   task.parameters = parametersOf(given, [&task](const std::string& name, const std::string& value) {
-    return setLocationParameter(name, value, task.location);
+    return setInputParameter(name, value, task) || setLocationParameter(name, value, task.location);
   });
   const bool all = given.count("all") != 0;
   task.labels = all || given.count("labels") != 0;
@@ -112,7 +138,6 @@ void segmentBagTool(int argc, char** argv) {
   checkFiles(task);
   // Suppresses rosbag's own output about broken chunks, which is repeated for each message.
   console_bridge::noOutputHandler();
-  catchInterruption();
   segmentBag(task);
 }
 

@@ -2,61 +2,169 @@
 #include "camera_subscription.h"
 
 #include <image_transport/camera_common.h>
+#include <ros/console.h>
+#include <ros/master.h>
 
+#include <algorithm>
 #include <utility>
+#include <vector>
 
+#include "compressed_depth.h"
 #include "contain_exceptions.h"
 
 namespace line_plane_segmentation {
+namespace {
 
-CameraSubscription::CameraSubscription(const ros::NodeHandle& nh, const ros::NodeHandle& private_nh,
-                                       int queue_size, Handler handler)
-    : nh_(nh),
+constexpr char kCompressedDepth[] = "compressedDepth";
+// Images may lag so far behind their camera_info, as over a slow link, where only they are held up.
+constexpr std::chrono::seconds kInfoSpan(10);
+constexpr unsigned kInfoQueue = 1000;
+
+// The camera_info beside the image, unless it is remapped: as depth/camera_info, or under its own name.
+std::string infoTopicFor(const ros::NodeHandle& nh, const std::string& image_topic) {
+  const std::string own_name = "depth/camera_info";
+  const std::string remapped = nh.resolveName(own_name);
+  if (remapped != nh.resolveName(own_name, false)) return remapped;
+  return nh.resolveName(image_transport::getCameraInfoTopic(image_topic));
+}
+
+bool hasPlugin(const image_transport::ImageTransport& transport, const std::string& name) {
+  const std::vector<std::string> loadable = transport.getLoadableTransports();
+  return std::find(loadable.begin(), loadable.end(), "image_transport/" + name) != loadable.end();
+}
+
+// What else carries camera_info, for somebody who has to choose: " (there is /a, /b)".
+std::string otherInfoTopics(const std::string& but) {
+  ros::master::V_TopicInfo topics;
+  if (!ros::master::getTopics(topics)) return {};
+  std::string list;
+  for (const ros::master::TopicInfo& topic : topics) {
+    if (topic.datatype != "sensor_msgs/CameraInfo" || topic.name == but) continue;
+    list += (list.empty() ? " (there is " : ", ") + topic.name;
+  }
+  return list.empty() ? list : list + ")";
+}
+
+}  // namespace
+
+CameraSubscription::CameraSubscription(const std::string& name, const ros::NodeHandle& nh,
+                                       const ros::NodeHandle& private_nh, const StartParameters& parameters,
+                                       Handler handler)
+    : name_(name),
+      nh_(nh),
       private_nh_(private_nh),
       transport_(nh),
-      queue_size_(static_cast<unsigned>(queue_size)),
+      queue_size_(static_cast<unsigned>(parameters.queue_size)),
       handler_(std::move(handler)),
-      pairing_(queue_size_) {
+      infos_(kInfoSpan, kInfoQueue * static_cast<unsigned>(kInfoSpan.count())),
+      matcher_(parameters.info_matching, queue_size_) {
   topics_.image = nh.resolveName("depth/image_rect");
-  topics_.info = nh.resolveName(image_transport::getCameraInfoTopic(topics_.image));
+  topics_.info = infoTopicFor(nh, topics_.image);
+  is_raw_ = isRaw(parameters.rectify, topics_.image);
 }
 
 void CameraSubscription::subscribe() {
   if (subscribed()) return;
   times_.subscribed = std::chrono::steady_clock::now();
+  unanswered_since_ = {};
+  info_subscriber_ = nh_.subscribe(topics_.info, kInfoQueue, &CameraSubscription::onInfo, this,
+                                   ros::TransportHints().tcpNoDelay());
+  subscribeImages();
+  timer_ = nh_.createWallTimer(ros::WallDuration(0.25), [this](const ros::WallTimerEvent&) {
+    containExceptions(name_, [this] { onTimer(); });
+  });
+}
+
+void CameraSubscription::subscribeImages() {
   const ros::TransportHints no_delay = ros::TransportHints().tcpNoDelay();
   const image_transport::TransportHints hints("raw", no_delay, private_nh_);
-  info_subscriber_ = nh_.subscribe(topics_.info, queue_size_, &CameraSubscription::onInfo, this, no_delay);
-  image_subscriber_ =
-      transport_.subscribe(topics_.image, queue_size_, &CameraSubscription::onImage, this, hints);
+  if (hints.getTransport() == kCompressedDepth && !hasPlugin(transport_, kCompressedDepth)) {
+    compressed_subscriber_ = nh_.subscribe(topics_.image + "/" + kCompressedDepth, queue_size_,
+                                           &CameraSubscription::onCompressed, this, no_delay);
+    return;
+  }
+  const auto on_image = [this](const sensor_msgs::ImageConstPtr& image) {
+    containExceptions(topics_.image, [&] { onImage({image}); });
+  };
+  image_subscriber_ = transport_.subscribe(topics_.image, queue_size_, on_image, ros::VoidPtr(), hints);
 }
 
 void CameraSubscription::unsubscribe() {
+  timer_.stop();
   image_subscriber_.shutdown();
+  compressed_subscriber_.shutdown();
   info_subscriber_.shutdown();
-  pairing_.clear();
+  matcher_.clear();
+  infos_.clearStamps();
   times_ = InputTimes{};
 }
 
-void CameraSubscription::onImage(const sensor_msgs::ImageConstPtr& image) {
+void CameraSubscription::onCompressed(const sensor_msgs::CompressedImageConstPtr& compressed) {
   containExceptions(topics_.image, [&] {
-    times_.image = std::chrono::steady_clock::now();
-    CameraFrame frame;
-    if (pairing_.add(image, frame)) deliver(std::move(frame));
+    const sensor_msgs::ImageConstPtr image = describeCompressedDepth(*compressed);
+    if (image) {
+      onImage({image, compressed});
+    } else {
+      ROS_WARN_THROTTLE(5.0, "[%s] %s/%s does not hold compressed depth images: its format is '%.64s'",
+                        name_.c_str(), topics_.image.c_str(), kCompressedDepth, compressed->format.c_str());
+    }
   });
+}
+
+void CameraSubscription::onImage(const DepthMessage& image) {
+  times_.image = std::chrono::steady_clock::now();
+  if (unanswered_since_ == InputTimes::TimePoint{}) unanswered_since_ = times_.image;
+  InfoMatcher::Frames frames;
+  matcher_.addImage(image, infos_, times_.image, frames);
+  deliver(frames);
 }
 
 void CameraSubscription::onInfo(const sensor_msgs::CameraInfoConstPtr& info) {
   containExceptions(topics_.info, [&] {
     times_.info = std::chrono::steady_clock::now();
-    CameraFrame frame;
-    if (pairing_.add(info, frame)) deliver(std::move(frame));
+    infos_.add(info, times_.info);
+    InfoMatcher::Frames frames;
+    matcher_.addInfo(info->header.stamp, infos_, frames);
+    deliver(frames);
   });
 }
 
-void CameraSubscription::deliver(CameraFrame frame) {
+void CameraSubscription::onTimer() {
+  const InputTimes::TimePoint now = std::chrono::steady_clock::now();
+  InfoMatcher::Frames frames;
+  matcher_.poll(infos_, now, frames);
+  deliver(frames);
+  warnOfSilence(now);
+}
+
+void CameraSubscription::deliver(InfoMatcher::Frames& frames) {
+  times_.has_fallen_back = matcher_.hasFallenBack();
+  if (times_.has_fallen_back && !std::exchange(warned_of_fallback_, true)) {
+    ROS_WARN(
+        "[%s] no camera_info on %s has the stamp of an image on %s: from now on each image goes with the "
+        "newest "
+        "one of its frame and size. ~info_matching: exact forbids that, latest does it without this warning",
+        name_.c_str(), topics_.info.c_str(), topics_.image.c_str());
+  }
+  if (frames.empty()) return;
   times_.frame = std::chrono::steady_clock::now();
-  handler_(std::move(frame));
+  unanswered_since_ = {};
+  warned_of_silence_ = false;
+  for (CameraFrame& frame : frames) {
+    frame.is_raw = is_raw_;
+    handler_(std::move(frame));
+  }
+}
+
+void CameraSubscription::warnOfSilence(InputTimes::TimePoint now) {
+  constexpr std::chrono::seconds kPatience(3);
+  if (unanswered_since_ == InputTimes::TimePoint{} || now - unanswered_since_ < kPatience) return;
+  if (std::exchange(warned_of_silence_, true)) return;
+  const bool has_infos = now - times_.info < kPatience;
+  ROS_WARN("[%s] images come on %s, but %s on %s%s: remap depth/camera_info to the right topic%s",
+           name_.c_str(), topics_.image.c_str(),
+           has_infos ? "no camera_info that fits them" : "no camera_info", topics_.info.c_str(),
+           otherInfoTopics(topics_.info).c_str(), has_infos ? ", or set ~info_matching to latest" : "");
 }
 
 }  // namespace line_plane_segmentation

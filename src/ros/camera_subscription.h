@@ -4,39 +4,54 @@
 #include <image_transport/image_transport.h>
 #include <ros/node_handle.h>
 #include <ros/subscriber.h>
+#include <ros/wall_timer.h>
 
+#include <string>
+
+#include "info_matcher.h"
 #include "input_source.h"
-#include "stamp_pairing.h"
+#include "start_parameters.h"
 
 namespace line_plane_segmentation {
 
-/// The subscription of a depth image and its sibling camera_info.
+/// The subscription of a depth image and its camera_info.
 class CameraSubscription : public InputSource {
  public:
   /// Subscribes nothing yet.
-  /// @param queue_size  messages that may wait in the transport, and images that may wait for their
-  /// camera_info
-  CameraSubscription(const ros::NodeHandle& nh, const ros::NodeHandle& private_nh, int queue_size,
-                     Handler handler);
+  /// @param name  of the nodelet, for the log
+  CameraSubscription(const std::string& name, const ros::NodeHandle& nh, const ros::NodeHandle& private_nh,
+                     const StartParameters& parameters, Handler handler);
 
   void subscribe() override;
   void unsubscribe() override;
-  std::uint64_t lostImages() const override { return pairing_.lostImages(); }
-  std::uint64_t lateInfos() const override { return pairing_.lateInfos(); }
+  std::uint64_t lostImages() const override { return matcher_.lostImages(); }
+  std::uint64_t lateInfos() const override { return matcher_.lateInfos(); }
 
  private:
-  void onImage(const sensor_msgs::ImageConstPtr& image);
+  void subscribeImages();
+  void onImage(const DepthMessage& image);
+  void onCompressed(const sensor_msgs::CompressedImageConstPtr& compressed);
   void onInfo(const sensor_msgs::CameraInfoConstPtr& info);
-  void deliver(CameraFrame frame);
+  void onTimer();
+  void deliver(InfoMatcher::Frames& frames);
+  void warnOfSilence(InputTimes::TimePoint now);
 
+  std::string name_;
   ros::NodeHandle nh_;
   ros::NodeHandle private_nh_;
   image_transport::ImageTransport transport_;
   unsigned queue_size_;
   Handler handler_;
-  StampPairing pairing_;
+  bool is_raw_;
+  InfoHistory infos_;
+  InfoMatcher matcher_;
   image_transport::Subscriber image_subscriber_;
+  ros::Subscriber compressed_subscriber_;
   ros::Subscriber info_subscriber_;
+  ros::WallTimer timer_;
+  InputTimes::TimePoint unanswered_since_;  // the first image since there was a frame
+  bool warned_of_fallback_ = false;
+  bool warned_of_silence_ = false;
 };
 
 }  // namespace line_plane_segmentation

@@ -4,6 +4,7 @@
 #include <sensor_msgs/PointField.h>
 
 #include <algorithm>
+#include <array>
 #include <boost/endian/conversion.hpp>
 #include <cstring>
 #include <limits>
@@ -19,6 +20,33 @@ bool findOffset(const sensor_msgs::PointCloud2& cloud, const char* name, std::si
     return field.datatype == sensor_msgs::PointField::FLOAT32 && offset + sizeof(float) <= cloud.point_step;
   }
   return false;
+}
+
+const char* nameOfType(std::uint8_t datatype) {
+  constexpr std::array<const char*, 9> kNames = {"of no type", "INT8",   "UINT8",   "INT16",  "UINT16",
+                                                 "INT32",      "UINT32", "FLOAT32", "FLOAT64"};
+  return datatype < kNames.size() ? kNames[datatype] : kNames[0];
+}
+
+// What is wrong with the coordinates: "x is FLOAT64, there is no z".
+std::string describeFields(const sensor_msgs::PointCloud2& cloud) {
+  std::string text;
+  for (const char* name : {"x", "y", "z"}) {
+    std::size_t offset = 0;
+    if (findOffset(cloud, name, offset)) continue;
+    const auto field =
+        std::find_if(cloud.fields.begin(), cloud.fields.end(),
+                     [name](const sensor_msgs::PointField& other) { return other.name == name; });
+    text += text.empty() ? "" : ", ";
+    if (field == cloud.fields.end()) {
+      text += std::string("there is no ") + name;
+    } else if (field->datatype != sensor_msgs::PointField::FLOAT32) {
+      text += std::string(name) + " is " + nameOfType(field->datatype);
+    } else {
+      text += std::string(name) + " lies outside of its point";
+    }
+  }
+  return text;
 }
 
 std::string sizeOf(const sensor_msgs::PointCloud2& cloud) {
@@ -90,7 +118,8 @@ std::string explain(Refusal refusal, const sensor_msgs::PointCloud2& cloud) {
     case Refusal::kTooLarge:
       return "a cloud of " + sizeOf(cloud) + " points is too large: raise ~max_pixels if it is meant";
     case Refusal::kCloudFields:
-      return "the cloud's points have no x, y and z that are FLOAT32: check the camera driver";
+      return "the cloud's points have no x, y and z that are FLOAT32 (" + describeFields(cloud) +
+             "): convert it, or check the camera driver";
     case Refusal::kBadStep:
       return "rows of " + std::to_string(cloud.row_step) + " bytes cannot hold " +
              std::to_string(cloud.width) + " points of " + std::to_string(cloud.point_step) +

@@ -86,14 +86,17 @@ CameraPlaces FrameProcessor::findPlaces(const CameraFrame& frame) {
     std::this_thread::sleep_for(kPause);
     places = locator_.lookUp(segmenter_.header());
   }
+  locator_.clearIfClockWentBack(places, clock_jump_);
+  locator_.fallBack(segmenter_.header(), places);
   return places;
 }
 
 void FrameProcessor::adviseOnPlaces(const CameraPlaces& places) {
   const FrameParameters& frames = locator_.parameters().frames;
-  if (!frames.target_frame.empty()) advice_.transformed(Purpose::kTarget, places.target);
-  if (!frames.gravity_frame.empty()) advice_.transformed(Purpose::kGravity, places.gravity);
-  if (!frames.fixed_frame.empty()) advice_.transformed(Purpose::kMotion, places.fixed);
+  if (!frames.target_frame.empty()) advice_.transformed(Purpose::kTarget, places.target, frames.tf_patience);
+  if (!frames.gravity_frame.empty())
+    advice_.transformed(Purpose::kGravity, places.gravity, frames.tf_patience);
+  if (!frames.fixed_frame.empty()) advice_.transformed(Purpose::kMotion, places.fixed, frames.tf_patience);
 }
 
 void FrameProcessor::refuse(Refusal refusal, const std::string& explanation) {
@@ -115,7 +118,8 @@ void FrameProcessor::process(const CameraFrame& frame) {
   const CameraPlaces places = findPlaces(frame);
   adviseOnPlaces(places);
   if (!places.target.found()) {
-    refuse(Refusal::kTf, "planes cannot be given in ~target_frame: " + places.target.problem);
+    refuse(Refusal::kTf, "planes cannot be given in ~target_frame: " +
+                             explain(places.target, locator_.parameters().frames.tf_patience));
     return;
   }
   const Segmentation& segmentation = segmenter_.segment();

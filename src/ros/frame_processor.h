@@ -59,6 +59,7 @@ class FrameProcessor {
   bool tracing_outlines_ = true;
   // Of each lookup, if tf tells nothing of its frames.
   std::array<std::optional<std::chrono::steady_clock::time_point>, CameraPlaces::kCount> unknown_since_;
+  ClockJump clock_jump_{3, std::chrono::seconds(1)};
 
   FrameWorker worker_;  // last: its thread uses all of the above
 };

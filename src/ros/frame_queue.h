@@ -7,7 +7,7 @@
 #include <deque>
 #include <mutex>
 
-#include "stamp_pairing.h"
+#include "camera_frame.h"
 
 namespace line_plane_segmentation {
 

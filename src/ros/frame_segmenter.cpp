@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "frame_segmenter.h"
 
+#include "compressed_depth.h"
 #include "line_plane_segmentation/ros/cloud_validation.h"
+#include "short_text.h"
 
 namespace line_plane_segmentation {
 namespace {
 
-std_msgs::Header withoutSlashes(std_msgs::Header header) {
+// Without leading slashes, which tf2 refuses; not longer than any name is.
+std_msgs::Header usable(std_msgs::Header header) {
   header.frame_id.erase(0, header.frame_id.find_first_not_of('/'));
+  if (header.frame_id.size() > kLongestFrameName) header.frame_id.resize(kLongestFrameName);
   return header;
 }
 
@@ -19,10 +23,37 @@ DepthRange rangeOf(const Parameters& parameters) {
 }  // namespace
 
 const Validation& FrameSegmenter::accept(const CameraFrame& frame) {
-  header_ = withoutSlashes(frame.header());
-  input_ = frame.cloud ? validate(*frame.cloud, limits_, cloud_depth_)
-                       : validate(*frame.image, *frame.info, limits_);
+  header_ = usable(frame.header());
+  if (frame.cloud) {
+    input_ = validate(*frame.cloud, limits_, cloud_depth_);
+  } else {
+    input_ = acceptImage(frame);
+  }
   return input_;
+}
+
+Validation FrameSegmenter::acceptImage(const CameraFrame& frame) {
+  Validation input =
+      frame.compressed ? acceptCompressed(frame) : validate(*frame.image, *frame.info, limits_);
+  if (!input.accepted() || !input.distorted || !frame.is_raw) return input;
+  if (!rectifier_.setCamera(*frame.info, input.view.width, input.view.height)) return input;
+  input.view = rectifier_.rectify(input.view);
+  input.camera = rectifier_.camera();
+  input.distorted = false;
+  return input;
+}
+
+Validation FrameSegmenter::acceptCompressed(const CameraFrame& frame) {
+  Validation refused;
+  const std::uint64_t pixels = std::uint64_t{frame.image->width} * frame.image->height;
+  if (pixels > limits_.max_pixels) {
+    refused.refusal = Refusal::kTooLarge;
+  } else if (!decodeCompressedDepth(*frame.compressed, limits_.max_pixels, decoded_)) {
+    refused.refusal = Refusal::kUndecodable;
+  } else {
+    return validate(decoded_, *frame.info, limits_);
+  }
+  return refused;
 }
 
 const Segmentation& FrameSegmenter::segment() {

@@ -1,18 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <sensor_msgs/Image.h>
 #include <std_msgs/Header.h>
 
 #include <cstdint>
 #include <string>
 #include <vector>
 
+#include "camera_frame.h"
+#include "depth_rectifier.h"
 #include "line_plane_segmentation/parameters.h"
 #include "line_plane_segmentation/plane_segmenter.h"
 #include "line_plane_segmentation/ros/conversions.h"
 #include "line_plane_segmentation/ros/image_validation.h"
 #include "line_plane_segmentation/stage_clock.h"
-#include "stamp_pairing.h"
 
 namespace line_plane_segmentation {
 
@@ -56,11 +58,16 @@ class FrameSegmenter {
   SegmentedFrame result(const PublishedPlanes& published) const;
 
  private:
+  Validation acceptImage(const CameraFrame& frame);
+  Validation acceptCompressed(const CameraFrame& frame);
+
   InputLimits limits_;
   PlaneSegmenter segmenter_;
   StageClock clock_;
   std_msgs::Header header_;
-  std::vector<std::uint8_t> cloud_depth_;  // looked at by the view of a cloud
+  std::vector<std::uint8_t> cloud_depth_;  // what the view of a cloud shows
+  sensor_msgs::Image decoded_;             // what the view of a compressed image shows
+  DepthRectifier rectifier_;
   Validation input_;
   DepthRange range_;
   const Segmentation* segmentation_ = nullptr;

@@ -6,10 +6,11 @@
 #include <algorithm>
 #include <array>
 #include <boost/endian/conversion.hpp>
-#include <cctype>
 #include <cmath>
 #include <limits>
 #include <sstream>
+
+#include "short_text.h"
 
 namespace line_plane_segmentation {
 namespace {
@@ -52,7 +53,7 @@ Refusal makeView(const sensor_msgs::Image& image, const InputLimits& limits, Dep
   view.height = static_cast<int>(height);
   view.step = static_cast<std::size_t>(step);
   view.type = type;
-  view.metres_per_unit = type == DepthType::kUint16 ? 0.001F : 1.0F;
+  view.metres_per_unit = type == DepthType::kUint16 ? static_cast<float>(limits.depth_unit) : 1.0F;
   view.swap_bytes = (image.is_bigendian != 0) != (boost::endian::order::native == boost::endian::order::big);
   return Refusal::kNone;
 }
@@ -68,44 +69,29 @@ bool sizeFits(std::uint64_t image, std::uint64_t shown, std::uint64_t binning) {
   return (covered > shown ? covered - shown : shown - covered) < binning;
 }
 
-bool sizesMatch(const sensor_msgs::Image& image, const sensor_msgs::CameraInfo& info) {
-  return sizeFits(image.width, shownPixels(info.width, info.roi.width), binningOf(info.binning_x)) &&
-         sizeFits(image.height, shownPixels(info.height, info.roi.height), binningOf(info.binning_y));
-}
-
 bool hasProjection(const sensor_msgs::CameraInfo& info) { return info.P[0] != 0.0 || info.P[5] != 0.0; }
+
+// P and K are about the full sensor: first the region of interest, then its binning.
+CameraIntrinsics shownPart(CameraIntrinsics camera, const sensor_msgs::CameraInfo& info) {
+  if (info.roi.width != 0) camera.cx -= info.roi.x_offset;
+  if (info.roi.height != 0) camera.cy -= info.roi.y_offset;
+  const auto binning_x = static_cast<double>(binningOf(info.binning_x));
+  const auto binning_y = static_cast<double>(binningOf(info.binning_y));
+  return {camera.fx / binning_x, camera.fy / binning_y, camera.cx / binning_x, camera.cy / binning_y};
+}
 
 Refusal makeCamera(const sensor_msgs::Image& image, const sensor_msgs::CameraInfo& info, Validation& found) {
   if (!sizesMatch(image, info)) return Refusal::kInfoMismatch;
 
   found.intrinsics_from_k = !hasProjection(info);
-  CameraIntrinsics& camera = found.camera;
-  if (found.intrinsics_from_k) {
-    camera = {info.K[0], info.K[4], info.K[2], info.K[5]};
-  } else {
-    camera = {info.P[0], info.P[5], info.P[2], info.P[6]};
-  }
-  // P and K are about the full sensor: first the region of interest, then its binning.
-  if (info.roi.width != 0) camera.cx -= info.roi.x_offset;
-  if (info.roi.height != 0) camera.cy -= info.roi.y_offset;
-  const auto binning_x = static_cast<double>(binningOf(info.binning_x));
-  const auto binning_y = static_cast<double>(binningOf(info.binning_y));
-  camera = {camera.fx / binning_x, camera.fy / binning_y, camera.cx / binning_x, camera.cy / binning_y};
-  if (!isUsable(camera)) return Refusal::kNoIntrinsics;
+  found.camera = found.intrinsics_from_k ? rawIntrinsics(info) : rectifiedIntrinsics(info);
+  if (!isUsable(found.camera)) return Refusal::kNoIntrinsics;
 
   found.distorted = std::any_of(info.D.begin(), info.D.end(), [](double d) { return d != 0.0; });
   return Refusal::kNone;
 }
 
-// A stranger's text, made fit for a log.
-std::string quoted(const std::string& text) {
-  constexpr std::size_t kLongest = 32;
-  std::string shown = text.substr(0, kLongest);
-  for (char& c : shown) {
-    if (std::isprint(static_cast<unsigned char>(c)) == 0) c = '?';
-  }
-  return "'" + shown + (text.size() > kLongest ? "...'" : "'");
-}
+std::string quoted(const std::string& text) { return "'" + shortText(text, 32) + "'"; }
 
 std::string toText(double number) {
   std::ostringstream stream;
@@ -119,6 +105,19 @@ std::string sizeOf(std::uint32_t width, std::uint32_t height) {
 
 }  // namespace
 
+bool sizesMatch(const sensor_msgs::Image& image, const sensor_msgs::CameraInfo& info) {
+  return sizeFits(image.width, shownPixels(info.width, info.roi.width), binningOf(info.binning_x)) &&
+         sizeFits(image.height, shownPixels(info.height, info.roi.height), binningOf(info.binning_y));
+}
+
+CameraIntrinsics rawIntrinsics(const sensor_msgs::CameraInfo& info) {
+  return shownPart({info.K[0], info.K[4], info.K[2], info.K[5]}, info);
+}
+
+CameraIntrinsics rectifiedIntrinsics(const sensor_msgs::CameraInfo& info) {
+  return shownPart({info.P[0], info.P[5], info.P[2], info.P[6]}, info);
+}
+
 bool isUsable(const CameraIntrinsics& camera) {
   return camera.isValid() && std::min(camera.fx, camera.fy) >= kMinFocalLength &&
          std::max(camera.fx, camera.fy) <= kMaxPixelNumber &&
@@ -127,8 +126,9 @@ bool isUsable(const CameraIntrinsics& camera) {
 
 const char* nameOf(Refusal refusal) {
   constexpr std::array<const char*, kRefusalCount> kNames = {
-      "none",          "empty_image",   "encoding", "too_large",   "bad_step",     "short_data",
-      "info_mismatch", "no_intrinsics", "tf",       "unorganized", "cloud_fields", "not_pinhole"};
+      "none",         "empty_image",   "encoding",      "too_large", "bad_step",
+      "short_data",   "info_mismatch", "no_intrinsics", "tf",        "unorganized",
+      "cloud_fields", "not_pinhole",   "undecodable"};
   return kNames[static_cast<std::size_t>(refusal)];
 }
 
@@ -165,6 +165,9 @@ std::string explain(Refusal refusal, const sensor_msgs::Image& image, const sens
     case Refusal::kNoIntrinsics:
       return "camera_info holds no usable focal lengths (P " + toText(info.P[0]) + ", " + toText(info.P[5]) +
              "; K " + toText(info.K[0]) + ", " + toText(info.K[4]) + "): calibrate the camera";
+    case Refusal::kUndecodable:
+      return "the pixels of a compressed image of " + size + ", " + quoted(image.encoding) +
+             ", cannot be decoded: check the recording, or what compresses the images";
     default:  // nothing is wrong with these two
       return {};
   }

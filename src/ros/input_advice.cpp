@@ -3,8 +3,12 @@
 
 #include <ros/console.h>
 
+#include <cmath>
 #include <limits>
+#include <sstream>
 #include <vector>
+
+#include "short_text.h"
 
 namespace line_plane_segmentation {
 namespace {
@@ -26,7 +30,7 @@ void InputAdvice::once(bool& told, const std::string& text) {
   told = true;
 }
 
-void InputAdvice::transformed(Purpose purpose, const TransformLookup& lookup) {
+void InputAdvice::transformed(Purpose purpose, const TransformLookup& lookup, double patience) {
   constexpr std::array<const char*, kPurposeCount> kWhatFails = {
       "~target_frame, so that the frames are refused", "~gravity_frame, so that orientations are unknown",
       "~fixed_frame, so that ids go by the images alone"};
@@ -39,7 +43,7 @@ void InputAdvice::transformed(Purpose purpose, const TransformLookup& lookup) {
   if (!isDue(count.last_warning)) return;
   ROS_WARN("[%s] in %d %% of the frames tf does not know %s. Is it published? %s", name_.c_str(),
            100 * count.failed / (count.found + count.failed), kWhatFails[static_cast<std::size_t>(purpose)],
-           lookup.problem.c_str());
+           explain(lookup, patience).c_str());
 }
 
 void InputAdvice::refused(Refusal refusal, const std::string& explanation) {
@@ -58,45 +62,74 @@ void InputAdvice::accepted(const CameraFrame& frame, const Validation& input) {
     once(told_distorted_,
          frame.cloud ? "the clouds come from a camera with distortion: planes bend toward the borders"
                      : "camera_info has distortion: unless the images are rectified, planes bend "
-                       "toward their borders");
+                       "toward their borders. ~rectify: true rectifies them here");
   }
   const std::string& image_frame = frame.header().frame_id;
   if (image_frame.empty()) once(told_no_frame_, "the images have no frame_id: rviz and tf cannot place them");
   if (startsWithSlash(image_frame)) {
-    once(told_slash_,
-         "the images' frame_id '" + image_frame + "' starts with a slash, which tf2 refuses: it is cut off");
+    once(told_slash_, "the images' frame_id '" + shortText(image_frame) +
+                          "' starts with a slash, which tf2 refuses: it is cut off");
   }
   if (frame.cloud) return;
   const std::string& info_frame = frame.info->header.frame_id;
   if (info_frame != image_frame) {
-    once(told_other_frame_, "camera_info has frame_id '" + info_frame + "', the images have '" + image_frame +
-                                "': that of the images counts");
+    once(told_other_frame_, "camera_info has frame_id '" + shortText(info_frame) + "', the images have '" +
+                                shortText(image_frame) + "': that of the images counts");
   }
 }
 
 void InputAdvice::segmented(const Validation& input, const DepthRange& range,
                             const Segmentation& segmentation) {
-  if (told_beyond_range_ || 2 * std::size_t{segmentation.valid_pixels} >= segmentation.labels.size()) return;
-  if (shareBeyondRange(input.view, range) <= 0.5) return;
-  const bool metres = input.view.type == DepthType::kFloat32;
-  once(told_beyond_range_, std::string("most depths lie beyond max_range: ") +
-                               (metres ? "are they in millimetres?" : "should it be larger?"));
+  constexpr int kImages = 30;
+  const std::size_t pixels = segmentation.labels.size();
+  const std::size_t with_depth = segmentation.valid_pixels;
+  if (2 * with_depth < pixels) {
+    if (!told_out_of_range_) adviseOnRange(input.view, range);
+    return;
+  }
+  without_plane_ = segmentation.planes.empty() ? without_plane_ + 1 : 0;
+  if (without_plane_ < kImages) return;
+  once(told_no_plane_, std::to_string(100 * with_depth / pixels) +
+                           " % of the pixels have depth, but no plane was found in " +
+                           std::to_string(kImages) + " images. " +
+                           "Is ~depth_unit right, and camera_info that of these images? Otherwise lower "
+                           "~min_plane_inliers, or raise ~noise_growth for a noisier camera");
 }
 
-double shareBeyondRange(const DepthView& depth, const DepthRange& range) {
+void InputAdvice::adviseOnRange(const DepthView& depth, const DepthRange& range) {
+  const OutOfRange fractions = fractionsOutOfRange(depth, range);
+  if (fractions.near + fractions.beyond <= 0.5) return;
+  std::ostringstream text;
+  text << std::lround(100.0 * (fractions.near + fractions.beyond))
+       << " % of the depths are below ~min_range (" << range.min << " m) or beyond ~max_range (" << range.max
+       << " m): ";
+  if (depth.type == DepthType::kUint16) {
+    text << "is ~depth_unit (" << depth.metres_per_unit << " m) right?";
+  } else {
+    text << (fractions.beyond > fractions.near ? "are they in millimetres?" : "are they in metres?");
+  }
+  once(told_out_of_range_, text.str());
+}
+
+OutOfRange fractionsOutOfRange(const DepthView& depth, const DepthRange& range) {
   constexpr int kRowStep = 16;
   const DepthRange any{0.0F, std::numeric_limits<float>::max()};
   std::vector<float> row(static_cast<std::size_t>(depth.width));
   std::size_t with_depth = 0;
+  std::size_t near = 0;
   std::size_t beyond = 0;
   for (int v = 0; v < depth.height; v += kRowStep) {
     loadRow(depth, v, any, row.data());
     for (const float z : row) {
-      if (z > 0.0F) ++with_depth;
-      if (z > range.max) ++beyond;
+      if (z <= 0.0F) continue;
+      ++with_depth;
+      if (z <= range.min) ++near;
+      if (z >= range.max) ++beyond;
     }
   }
-  return with_depth == 0 ? 0.0 : static_cast<double>(beyond) / static_cast<double>(with_depth);
+  if (with_depth == 0) return {};
+  const auto all = static_cast<double>(with_depth);
+  return {static_cast<double>(near) / all, static_cast<double>(beyond) / all};
 }
 
 }  // namespace line_plane_segmentation

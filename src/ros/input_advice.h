@@ -7,9 +7,9 @@
 #include <set>
 #include <string>
 
+#include "camera_frame.h"
 #include "line_plane_segmentation/ros/image_validation.h"
 #include "line_plane_segmentation/segmentation.h"
-#include "stamp_pairing.h"
 #include "transform_lookup.h"
 
 namespace line_plane_segmentation {
@@ -28,7 +28,8 @@ class InputAdvice {
   explicit InputAdvice(std::string name) : name_(std::move(name)) {}
 
   /// What tf told for a frame. Transforms fail now and then; said is only when most of them do.
-  void transformed(Purpose purpose, const TransformLookup& lookup);
+  /// @param patience  [s] that was waited for it
+  void transformed(Purpose purpose, const TransformLookup& lookup, double patience);
 
   /// A frame that is not processed.
   void refused(Refusal refusal, const std::string& explanation);
@@ -53,6 +54,7 @@ class InputAdvice {
 
   bool isDue(TimePoint& last);
   void once(bool& told, const std::string& text);
+  void adviseOnRange(const DepthView& depth, const DepthRange& range);
 
   std::string name_;
   std::array<TimePoint, kRefusalCount> last_refused_{};
@@ -63,10 +65,17 @@ class InputAdvice {
   bool told_slash_ = false;
   bool told_no_frame_ = false;
   bool told_other_frame_ = false;
-  bool told_beyond_range_ = false;
+  bool told_out_of_range_ = false;
+  bool told_no_plane_ = false;
+  int without_plane_ = 0;  // images in a row with depth, but without a plane
 };
 
-/// Share of the pixels with any depth that lie beyond the range, of a sample of the rows. 0 to 1.
-double shareBeyondRange(const DepthView& depth, const DepthRange& range);
+/// Fractions of the pixels with any depth that are out of range, from a sample of the rows; 0 to 1.
+struct OutOfRange {
+  double near = 0.0;    ///< not farther than the least depth
+  double beyond = 0.0;  ///< not nearer than the largest
+};
+
+OutOfRange fractionsOutOfRange(const DepthView& depth, const DepthRange& range);
 
 }  // namespace line_plane_segmentation

@@ -6,7 +6,7 @@
 #include <functional>
 #include <string>
 
-#include "stamp_pairing.h"
+#include "camera_frame.h"
 
 namespace line_plane_segmentation {
 
@@ -24,6 +24,8 @@ struct InputTimes {
   TimePoint image;
   TimePoint info;
   TimePoint frame;  ///< an image together with its camera_info, or a cloud
+
+  bool has_fallen_back = false;  ///< images go with the newest camera_info, not with that of their stamp
 };
 
 /// A subscription that makes frames. All calls, and the handler, run on the node handle's (single-threaded)

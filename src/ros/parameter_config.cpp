@@ -8,6 +8,8 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "short_text.h"
+
 namespace line_plane_segmentation {
 namespace {
 
@@ -96,6 +98,22 @@ std::string problemWithText(const ros::NodeHandle& nh, const std::string& name) 
   return !nh.hasParam(name) || nh.getParam(name, value) ? "" : "~" + name + " must be a text; ";
 }
 
+void keepIfTooLong(const std::string& name, const std::string& current, std::string& frame,
+                   std::vector<std::string>& changes) {
+  if (frame.size() <= kLongestFrameName) return;
+  changes.push_back(name + " has more than " + std::to_string(kLongestFrameName) + " characters, it stays '" +
+                    current + "'");
+  frame = current;
+}
+
+bool isFallback(const std::string& text) { return text == kNoTransform || text == kLatestTransform; }
+
+void keepIfUnknown(const std::string& current, std::string& fallback, std::vector<std::string>& changes) {
+  if (isFallback(fallback)) return;
+  changes.push_back("tf_fallback = '" + shortText(fallback) + "' was refused, it stays " + current);
+  fallback = current;
+}
+
 void cutSlash(const std::string& name, std::string& frame, std::vector<std::string>& changes) {
   if (frame.empty() || frame.front() != '/') return;
   frame.erase(0, frame.find_first_not_of('/'));
@@ -152,7 +170,7 @@ void applyPreset(const NodeletParameters& current, NodeletParameters& requested,
   if (loadPreset(requested.preset, preset)) {
     requested.method = presetAndChanges(preset, current.method, requested.method);
   } else {
-    changes.push_back("no preset is named '" + requested.preset + "'");
+    changes.push_back("no preset is named '" + shortText(requested.preset) + "'");
   }
 }
 
@@ -164,7 +182,7 @@ NodeletParameters parametersFrom(const PlaneSegmenterConfig& config) {
   NodeletParameters parameters;
   visitNodeletParameters(parameters,
                          [&](const char* name, auto& value, auto, auto) { read(message, name, value); });
-  visitFrames(parameters, [&](const char* name, std::string& frame) { read(message, name, frame); });
+  visitTexts(parameters, [&](const char* name, std::string& text) { read(message, name, text); });
   read(message, "preset", parameters.preset);
   return parameters;
 }
@@ -173,7 +191,7 @@ void writeParameters(const NodeletParameters& parameters, PlaneSegmenterConfig& 
   ConfigMessage message;
   visitNodeletParameters(
       parameters, [&](const char* name, const auto& value, auto, auto) { append(message, name, value); });
-  visitFrames(parameters, [&](const char* name, const std::string& frame) { append(message, name, frame); });
+  visitTexts(parameters, [&](const char* name, const std::string& text) { append(message, name, text); });
   append(message, "preset", parameters.preset);
   config.__fromMessage__(message);
 }
@@ -189,7 +207,15 @@ NodeletParameters reconfigured(const NodeletParameters& current, PlaneSegmenterC
   visitNodeletParameters(parameters, [&](const char* name, auto& value, auto, auto) {
     keepIfNan(current_message, name, value, changes);
   });
-  visitFrames(parameters, [&](const char* name, std::string& frame) { cutSlash(name, frame, changes); });
+  visitFrames(parameters, [&](const char* name, std::string& frame) {
+    std::string before;
+    visitFrames(current, [&](const std::string& other, const std::string& value) {
+      if (other == name) before = value;
+    });
+    keepIfTooLong(name, before, frame, changes);
+    cutSlash(name, frame, changes);
+  });
+  keepIfUnknown(current.location.frames.tf_fallback, parameters.location.frames.tf_fallback, changes);
   applyPreset(current, parameters, changes);
   const std::vector<std::string> fixed = sanitize(parameters.method);
   changes.insert(changes.end(), fixed.begin(), fixed.end());
@@ -205,12 +231,15 @@ void checkParameterServer(const ros::NodeHandle& private_nh) {
     using T = std::decay_t<decltype(value)>;
     problems += problemWith(private_nh, name, value, static_cast<T>(min), static_cast<T>(max));
   });
-  visitFrames(parameters,
-              [&](const char* name, std::string&) { problems += problemWithText(private_nh, name); });
+  visitTexts(parameters,
+             [&](const char* name, std::string&) { problems += problemWithText(private_nh, name); });
+  if (!isFallback(private_nh.param<std::string>("tf_fallback", kNoTransform))) {
+    problems += "~tf_fallback must be none or latest; ";
+  }
   problems += problemWithText(private_nh, "preset");
   const std::string preset = private_nh.param<std::string>("preset", kPresets[0]);
   if (preset != kNoPreset && !loadPreset(preset, parameters.method)) {
-    problems += "~preset = '" + preset + "' is none of kinect, short_range, paper and custom; ";
+    problems += "~preset = '" + shortText(preset) + "' is none of kinect, short_range, paper and custom; ";
   }
   if (!problems.empty()) throw std::invalid_argument(problems + "correct them and start again");
 }

@@ -29,6 +29,9 @@ struct CameraPlaces {
 
   /// Whether that is the answer to any of the lookups.
   bool has(TransformLookup::Answer answer) const;
+
+  /// Whether any of them is too old for tf.
+  bool isTooOld() const;
 };
 
 /// Tells where the planes of one image after the other are, how they lie, and which of those before they are.
@@ -44,6 +47,14 @@ class PlaneLocator {
 
   /// Asks tf what is needed for an image, as often as one likes.
   CameraPlaces lookUp(const std_msgs::Header& header) const;
+
+  /// Replaces what was not found by the newest that tf knows, if tf_fallback says so.
+  void fallBack(const std_msgs::Header& header, CameraPlaces& places) const;
+
+  /// Empties tf if its clock has gone back.
+  /// @param jump  what counts as that; once for each image
+  /// @return whether it was emptied
+  bool clearIfClockWentBack(const CameraPlaces& places, ClockJump& jump);
 
   /// Ids start anew when stamps go back, or ahead by more than a minute.
   /// @param header  the image's, its frame_id without a leading slash

@@ -5,38 +5,17 @@
 
 #include <chrono>
 #include <exception>
-#include <stdexcept>
 #include <utility>
 #include <vector>
 
 #include "camera_subscription.h"
 #include "cloud_subscription.h"
 #include "contain_exceptions.h"
+#include "start_parameters.h"
 #include "status_report.h"
 
 namespace line_plane_segmentation {
 namespace {
-
-// roscpp takes a parameter of the wrong type for one that is not set.
-int intParameter(const ros::NodeHandle& nh, const std::string& name, int fallback, int min, int max) {
-  int value = fallback;
-  const bool given = nh.hasParam(name);
-  if ((given && !nh.getParam(name, value)) || value < min || value > max) {
-    throw std::invalid_argument("~" + name + " must be a whole number from " + std::to_string(min) + " to " +
-                                std::to_string(max));
-  }
-  return value;
-}
-
-// True if clouds are to be read in the place of images.
-bool readsClouds(const ros::NodeHandle& nh) {
-  std::string input = "image";
-  const bool given = nh.hasParam("input");
-  if ((given && !nh.getParam("input", input)) || (input != "image" && input != "cloud")) {
-    throw std::invalid_argument("~input must be image or cloud");
-  }
-  return input == "cloud";
-}
 
 std::string describe(const InputTopics& topics) {
   return topics.cloud.empty() ? topics.image + " and " + topics.info : topics.cloud;
@@ -59,6 +38,7 @@ void PlaneSegmenterNodelet::onInit() {
       failure_ = exception.what();
       ROS_ERROR("[%s] does not start: %s", getName().c_str(), failure_.c_str());
     }
+    dropBadDiagnosticPeriod(getPrivateNodeHandle());
     updater_ =
         std::make_unique<diagnostic_updater::Updater>(getNodeHandle(), getPrivateNodeHandle(), getName());
     updater_->setHardwareID("none");
@@ -79,21 +59,18 @@ void PlaneSegmenterNodelet::start() {
   ros::NodeHandle& private_nh = getPrivateNodeHandle();
   checkParameterServer(private_nh);
   parameters_.preset = spreadPreset(private_nh);
-  const int queue_size = intParameter(private_nh, "queue_size", 10, 1, 1000);
-  InputLimits limits;
-  limits.max_pixels = static_cast<std::uint64_t>(
-      intParameter(private_nh, "max_pixels", static_cast<int>(limits.max_pixels), 1, 1 << 28));
+  const StartParameters start = readStartParameters(private_nh);
 
   outputs_ = std::make_unique<Outputs>(
       private_nh, [this] { containExceptions(getName(), [this] { updateSubscription(); }); });
   transforms_ = std::make_unique<TransformListener>(nh);
-  processor_ = std::make_unique<FrameProcessor>(getName(), limits, static_cast<std::size_t>(queue_size),
-                                                *outputs_, *transforms_);
+  processor_ = std::make_unique<FrameProcessor>(
+      getName(), start.limits, static_cast<std::size_t>(start.queue_size), *outputs_, *transforms_);
   const InputSource::Handler push = [this](CameraFrame frame) { processor_->queue().push(std::move(frame)); };
-  if (readsClouds(private_nh)) {
-    subscription_ = std::make_unique<CloudSubscription>(nh, queue_size, push);
+  if (start.clouds) {
+    subscription_ = std::make_unique<CloudSubscription>(nh, start.queue_size, push);
   } else {
-    subscription_ = std::make_unique<CameraSubscription>(nh, private_nh, queue_size, push);
+    subscription_ = std::make_unique<CameraSubscription>(getName(), nh, private_nh, start, push);
   }
   reconfigure_server_ = std::make_unique<dynamic_reconfigure::Server<PlaneSegmenterConfig>>(private_nh);
   reconfigure_server_->setCallback([this](PlaneSegmenterConfig& config, std::uint32_t) {
@@ -112,9 +89,27 @@ void PlaneSegmenterNodelet::stop() {
 void PlaneSegmenterNodelet::reconfigure(PlaneSegmenterConfig& config) {
   std::vector<std::string> changes;
   parameters_ = reconfigured(parameters_, config, changes);
-  for (const std::string& change : changes) ROS_WARN("[%s] %s", getName().c_str(), change.c_str());
+  logChanges(changes);
   processor_->setParameters(parameters_);
   transforms_->setNeeded(parameters_.location.frames.any());
+}
+
+// A program that goes on asking for what is refused does not fill the log.
+void PlaneSegmenterNodelet::logChanges(const std::vector<std::string>& changes) {
+  constexpr std::chrono::seconds kSpan(5);
+  constexpr std::size_t kMostLines = 10;
+  const std::chrono::steady_clock::time_point now = std::chrono::steady_clock::now();
+  if (now - changes_since_ >= kSpan) {
+    if (logged_changes_ > kMostLines) {
+      ROS_WARN("[%s] %zu more settings were refused or changed", getName().c_str(),
+               logged_changes_ - kMostLines);
+    }
+    changes_since_ = now;
+    logged_changes_ = 0;
+  }
+  for (const std::string& change : changes) {
+    if (++logged_changes_ <= kMostLines) ROS_WARN("[%s] %s", getName().c_str(), change.c_str());
+  }
 }
 
 void PlaneSegmenterNodelet::updateSubscription() {

@@ -6,10 +6,13 @@
 #include <line_plane_segmentation/PlaneSegmenterConfig.h>
 #include <nodelet/nodelet.h>
 
+#include <chrono>
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <mutex>
 #include <string>
+#include <vector>
 
 #include "frame_processor.h"
 #include "input_source.h"
@@ -33,6 +36,7 @@ class PlaneSegmenterNodelet : public nodelet::Nodelet {
   void start();
   void stop();
   void reconfigure(PlaneSegmenterConfig& config);
+  void logChanges(const std::vector<std::string>& changes);
   void updateSubscription();
   void reportStatus(diagnostic_updater::DiagnosticStatusWrapper& diagnostics);
 
@@ -44,6 +48,8 @@ class PlaneSegmenterNodelet : public nodelet::Nodelet {
   std::uint64_t reported_dropped_ = 0;
   std::uint64_t reported_lost_ = 0;
   std::uint64_t reported_late_ = 0;
+  std::chrono::steady_clock::time_point changes_since_;
+  std::size_t logged_changes_ = 0;  // since then
 
   // Order matters: each member uses the ones above it.
   std::unique_ptr<Outputs> outputs_;

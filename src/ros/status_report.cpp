@@ -92,6 +92,8 @@ void report(const NodeletStatus& status, TimePoint now,
   if (status.topics.cloud.empty()) {
     diagnostics.add("image topic", status.topics.image);
     diagnostics.add("camera_info topic", status.topics.info);
+    diagnostics.add("camera_info", status.input.has_fallen_back ? "the newest: none has the stamp of an image"
+                                                                : "that of the image's stamp");
   } else {
     diagnostics.add("point cloud topic", status.topics.cloud);
   }

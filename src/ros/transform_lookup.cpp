@@ -4,7 +4,10 @@
 #include <tf2/exceptions.h>
 #include <tf2_eigen/tf2_eigen.h>
 
+#include <algorithm>
+#include <cmath>
 #include <exception>
+#include <sstream>
 
 namespace line_plane_segmentation {
 namespace {
@@ -18,6 +21,12 @@ Eigen::Isometry3d toEigen(const geometry_msgs::TransformStamped& message) {
   return transform;
 }
 
+// Farther away no point of a plane fits into a float with any precision left.
+bool isUsable(const Eigen::Isometry3d& transform) {
+  constexpr double kFarthest = 1e8;  // [m]
+  return transform.translation().norm() <= kFarthest && transform.linear().allFinite();
+}
+
 // The newest time for which the transform is known; 0 if there is none.
 ros::Time newest(const tf2::BufferCore& buffer, const std::string& target, const std::string& source) {
   try {
@@ -29,7 +38,7 @@ ros::Time newest(const tf2::BufferCore& buffer, const std::string& target, const
 
 }  // namespace
 
-TransformLookup lookUp(tf2::BufferCore& buffer, const std::string& target, const std::string& source,
+TransformLookup lookUp(const tf2::BufferCore& buffer, const std::string& target, const std::string& source,
                        const ros::Time& time) {
   TransformLookup lookup;
   if (target == source) {
@@ -38,16 +47,19 @@ TransformLookup lookUp(tf2::BufferCore& buffer, const std::string& target, const
   }
   try {
     lookup.transform = toEigen(buffer.lookupTransform(target, source, time));
-    lookup.answer = Answer::kFound;
+    if (isUsable(lookup.transform)) {
+      lookup.answer = Answer::kFound;
+    } else {
+      lookup.problem =
+          "the transform from " + source + " to " + target + " has a translation that is not a position";
+    }
   } catch (const tf2::ExtrapolationException& exception) {
     lookup.problem = exception.what();
-    ros::Time known = newest(buffer, target, source);
+    const ros::Time known = newest(buffer, target, source);
     // Not as a difference of times, which throws where it is too large.
-    if (known.toSec() - time.toSec() > buffer.getCacheLength().toSec()) {
-      buffer.clear();
-      known = {};
-    }
-    if (known.isZero()) {
+    lookup.is_too_old = known.toSec() - time.toSec() > tf2::BufferCore::DEFAULT_CACHE_TIME;
+    lookup.missed_by = std::max(0.0, time.toSec() - known.toSec());
+    if (known.isZero() || lookup.is_too_old) {
       lookup.answer = Answer::kUnknown;
     } else if (known < time || buffer.canTransform(target, source, time)) {
       // Or it came just now, between the two questions: then asking again finds it.
@@ -64,6 +76,27 @@ TransformLookup lookUp(tf2::BufferCore& buffer, const std::string& target, const
     lookup.problem = exception.what();
   }
   return lookup;
+}
+
+std::string explain(const TransformLookup& lookup, double patience) {
+  if (lookup.answer != Answer::kLate) return lookup.problem;
+  std::ostringstream text;
+  text << lookup.problem << "; the newest is " << std::lround(1000.0 * lookup.missed_by)
+       << " ms older than the image, " << std::lround(1000.0 * patience)
+       << " ms were waited for it: raise ~tf_patience, or set ~tf_fallback to latest";
+  return text.str();
+}
+
+bool ClockJump::add(bool is_too_old, TimePoint now) {
+  if (!is_too_old) {
+    count_ = 0;
+    return false;
+  }
+  if (count_ == 0) since_ = now;
+  ++count_;
+  if (count_ < images_ || now - since_ < duration_) return false;
+  count_ = 0;
+  return true;
 }
 
 }  // namespace line_plane_segmentation

@@ -60,7 +60,7 @@ void expectSame(const NodeletParameters& expected, const NodeletParameters& para
   };
   const auto texts_of = [](const NodeletParameters& all) {
     std::vector<std::string> texts{all.preset};
-    visitFrames(all, [&](const char*, const std::string& frame) { texts.push_back(frame); });
+    visitTexts(all, [&](const char*, const std::string& frame) { texts.push_back(frame); });
     return texts;
   };
   EXPECT_EQ(values_of(expected), values_of(parameters));

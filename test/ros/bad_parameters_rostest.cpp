@@ -33,7 +33,10 @@ TEST(BadParameters, thoseThatCountOnlyAtTheStartAreNamedToo) {
       {"input_of_wrong_type", "~input must be image or cloud"},
       {"queue_of_wrong_type", "~queue_size must be a whole number"},
       {"queue_too_short", "~queue_size must be a whole number"},
-      {"too_many_pixels", "~max_pixels must be a whole number"}};
+      {"too_many_pixels", "~max_pixels must be a whole number"},
+      {"matching_of_no_such_name", "~info_matching must be exact, latest or auto"},
+      {"unit_that_is_no_number", "~depth_unit must be a number from 1e-06 to 0.1"},
+      {"period_that_is_no_number", "~diagnostic_period must be a number"}};
   for (const auto& [segmenter, complaint] : cases) {
     const Diagnostics diagnostics(segmenter);
     EXPECT_TRUE(diagnostics.waitForStatus(diagnostic_msgs::DiagnosticStatus::ERROR, complaint))

@@ -10,12 +10,14 @@ namespace {
 
 const DepthRange kRange{0.3F, 10.0F};
 
-double shareBeyondRange(const sensor_msgs::Image& image) {
-  return shareBeyondRange(validate(image, testInfo(image.width, image.height)).view, kRange);
+OutOfRange fractionsOutOfRange(const sensor_msgs::Image& image) {
+  return fractionsOutOfRange(validate(image, testInfo(image.width, image.height)).view, kRange);
 }
 
+double shareBeyondRange(const sensor_msgs::Image& image) { return fractionsOutOfRange(image).beyond; }
+
 // Row 11.
-TEST(ShareBeyondRange, tellsMillimetresFromMetres) {
+TEST(FractionsOutOfRange, tellsMillimetresFromMetres) {
   sensor_msgs::Image metres = testImage(64, 48, "32FC1");
   sensor_msgs::Image millimetres = metres;
   for (std::uint32_t v = 0; v < 48; ++v) {
@@ -28,7 +30,7 @@ TEST(ShareBeyondRange, tellsMillimetresFromMetres) {
   EXPECT_EQ(1.0, shareBeyondRange(millimetres));
 }
 
-TEST(ShareBeyondRange, leavesMissingDepthOut) {
+TEST(FractionsOutOfRange, leavesMissingDepthOut) {
   sensor_msgs::Image image = testImage(64, 48, "32FC1");
   EXPECT_EQ(0.0, shareBeyondRange(image));
   setDepth(image, 3, 0, 2000.0);
@@ -36,6 +38,13 @@ TEST(ShareBeyondRange, leavesMissingDepthOut) {
   EXPECT_EQ(1.0, shareBeyondRange(image));
   setDepth(image, 5, 0, 2.0);
   EXPECT_EQ(0.5, shareBeyondRange(image));
+}
+
+TEST(FractionsOutOfRange, seesTheNearSide) {
+  sensor_msgs::Image image = testImage(64, 48, "16UC1");
+  for (std::uint32_t u = 0; u < 64; ++u) setDepth(image, u, 16, u < 16 ? 0.15 : 1.5);
+  EXPECT_EQ(0.25, fractionsOutOfRange(image).near);
+  EXPECT_EQ(0.0, fractionsOutOfRange(image).beyond);
 }
 
 }  // namespace

@@ -43,6 +43,7 @@ NodeletParameters unusualParameters() {
     value = static_cast<T>(value == static_cast<T>(max) ? min : max);
   });
   visitFrames(parameters, [](const char* name, std::string& frame) { frame = std::string("my_") + name; });
+  parameters.location.frames.tf_fallback = kLatestTransform;
   parameters.method.scanlines.min_range = 0.2;
   parameters.preset = "custom";
   return parameters;
@@ -88,7 +89,7 @@ TEST(ConfigFile, agreesWithTheParameters) {
   EXPECT_EQ(count, defaults.size()) << "cfg/PlaneSegmenter.cfg has parameters that nothing reads";
 
   std::map<std::string, std::string> texts{{"preset", parameters.preset}};
-  visitFrames(parameters, [&](const char* name, const std::string& frame) { texts[name] = frame; });
+  visitTexts(parameters, [&](const char* name, const std::string& text) { texts[name] = text; });
   std::map<std::string, std::string> default_texts;
   for (const auto& text : description.dflt.strs) default_texts[text.name] = text.value;
   EXPECT_EQ(texts, default_texts);
@@ -118,7 +119,25 @@ TEST(ParameterConfig, carriesEveryParameterBothWays) {
     EXPECT_EQ(expected[index++], static_cast<double>(value)) << name;
   });
   visitFrames(read, [](const std::string& name, std::string& frame) { EXPECT_EQ("my_" + name, frame); });
+  EXPECT_EQ(kLatestTransform, read.location.frames.tf_fallback);
   EXPECT_EQ("custom", read.preset);
+}
+
+TEST(Reconfiguring, refusesTextsThatAreNone) {
+  NodeletParameters current;
+  current.location.frames.target_frame = "base_link";
+  current.location.frames.tf_fallback = kLatestTransform;
+  PlaneSegmenterConfig config = PlaneSegmenterConfig::__getDefault__();
+  config.tf_fallback = std::string(1000000, 'x');
+  config.target_frame = std::string(1000000, 'y');
+  config.preset = std::string(1000000, 'z');
+  std::vector<std::string> changes;
+  const NodeletParameters read = reconfigured(current, config, changes);
+  EXPECT_EQ("base_link", read.location.frames.target_frame);
+  EXPECT_EQ(kLatestTransform, read.location.frames.tf_fallback);
+  EXPECT_EQ(kLatestTransform, config.tf_fallback);
+  ASSERT_EQ(3U, changes.size());
+  for (const std::string& change : changes) EXPECT_LT(change.size(), 400U);
 }
 
 // Row 31: the generated clamp lets a NaN through.

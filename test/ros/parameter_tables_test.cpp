@@ -3,11 +3,13 @@
 #include <gtest/gtest.h>
 
 #include <fstream>
+#include <iterator>
 #include <map>
 #include <regex>
 #include <string>
 
 #include "line_plane_segmentation/ros/parameter_config.h"
+#include "start_parameters.h"
 
 namespace line_plane_segmentation {
 namespace {
@@ -48,7 +50,8 @@ void expectDefaults(const std::string& file, std::size_t least_count) {
   const std::map<std::string, std::string> texts{{"preset", NodeletParameters().preset},
                                                  {"target_frame", "none"},
                                                  {"gravity_frame", "none"},
-                                                 {"fixed_frame", "none"}};
+                                                 {"fixed_frame", "none"},
+                                                 {"tf_fallback", FrameParameters().tf_fallback}};
   const std::map<std::string, std::string> table = parameterTable(file);
   EXPECT_GE(table.size(), least_count);
   for (const auto& [name, text] : table) {
@@ -59,6 +62,15 @@ void expectDefaults(const std::string& file, std::size_t least_count) {
     ASSERT_EQ(1U, numbers.count(name)) << name << " is not a parameter";
     const double expected = text == "true" || text == "adaptive" ? 1.0 : std::stod(text);
     EXPECT_DOUBLE_EQ(expected, numbers.at(name)) << name;
+  }
+}
+
+// Those that count only at the start have no list of defaults: that each is there.
+TEST(ParameterTables, rosReferenceListsTheStartParameters) {
+  std::ifstream document(std::string(SOURCE_FOLDER) + "/doc/ros.md");
+  const std::string text((std::istreambuf_iterator<char>(document)), std::istreambuf_iterator<char>());
+  for (const std::string& name : startParameterNames()) {
+    EXPECT_NE(std::string::npos, text.find("\n| `" + name + "` | ", text.find("### At start only"))) << name;
   }
 }
 

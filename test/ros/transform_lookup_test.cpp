@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 #include <tf2_eigen/tf2_eigen.h>
 
+#include <limits>
 #include <string>
 #include <utility>
 
@@ -95,14 +96,50 @@ TEST_F(Lookup, takesTheNewestForTimeZero) {
 }
 
 // Row 21: without simulated time nobody tells tf that a bag begins again.
-TEST_F(Lookup, recoversWhenTimeGoesBack) {
+TEST_F(Lookup, tellsWhatIsTooOldForTf) {
   for (int i = 0; i <= 20; ++i) put(1000.0 + i, 1.0);
-  for (int i = 0; i < 2; ++i) {
-    EXPECT_EQ(Answer::kUnknown, ask(500.0)) << "from now on those of the new time may come";
+  EXPECT_EQ(Answer::kUnknown, ask(500.0)) << "from now on those of the new time may come";
+  EXPECT_TRUE(lookup_.is_too_old);
+  EXPECT_EQ(Answer::kFound, ask(1015.0)) << "one old image has emptied the buffer";
+  EXPECT_FALSE(lookup_.is_too_old);
+}
+
+TEST_F(Lookup, tellsByHowMuchItWasMissed) {
+  put(100.0, 1.0);
+  put(101.0, 2.0);
+  ASSERT_EQ(Answer::kLate, ask(101.25));
+  EXPECT_NEAR(0.25, lookup_.missed_by, 1e-6);
+  const std::string text = explain(lookup_, 0.1);
+  EXPECT_NE(std::string::npos, text.find("250 ms older than the image, 100 ms were waited for it")) << text;
+  EXPECT_NE(std::string::npos, text.find("~tf_patience")) << text;
+}
+
+TEST_F(Lookup, refusesWhatIsNotAPosition) {
+  for (const double x : {1e39, -1e39, std::numeric_limits<double>::infinity(), 1e9}) {
+    tf2::BufferCore buffer;
+    geometry_msgs::TransformStamped message;
+    message.header.frame_id = "world";
+    message.child_frame_id = "camera";
+    message.transform.translation.y = x;
+    message.transform.rotation.w = 1.0;
+    ASSERT_TRUE(buffer.setTransform(message, "test", true));
+    const TransformLookup found = lookUp(buffer, "world", "camera", ros::Time(5.0));
+    EXPECT_EQ(Answer::kMissing, found.answer) << x;
+    EXPECT_FALSE(found.problem.empty());
   }
-  put(500.0, 5.0);
-  ASSERT_EQ(Answer::kFound, ask(500.0)) << "tf goes on refusing what is older than 10 s";
-  EXPECT_NEAR(5.0, lookup_.transform.translation().x(), 1e-9);
+}
+
+TEST(ClockJump, needsManyImagesForLong) {
+  ClockJump jump(3, std::chrono::seconds(1));
+  ClockJump::TimePoint now{};
+  const auto add = [&](bool is_too_old) {
+    return jump.add(is_too_old, now += std::chrono::milliseconds(100));
+  };
+  for (int i = 0; i < 8; ++i) EXPECT_FALSE(add(true)) << "8 old images";
+  EXPECT_FALSE(add(false));
+  for (int i = 0; i < 10; ++i) EXPECT_FALSE(add(true)) << i;
+  EXPECT_TRUE(add(true));
+  EXPECT_FALSE(add(true)) << "it begins anew";
 }
 
 }  // namespace

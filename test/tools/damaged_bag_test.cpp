@@ -68,7 +68,8 @@ TEST_P(DamagedBag, CutOffAnywhere) {
     // Of a chunk that is cut, nothing or a part can be read.
     const double whole = share * kFrames;
     EXPECT_GE(static_cast<double>(stamps.size()), whole - 4.0);
-    EXPECT_LE(static_cast<double>(stamps.size()), whole);
+    // The last image may be whole though its camera_info is cut off: the one before it does for both.
+    EXPECT_LE(static_cast<double>(stamps.size()), whole + 1.0);
     EXPECT_GT(stamps.size(), before);
     EXPECT_EQ(stamps, firstStamps(stamps.size()));
     before = stamps.size();
@@ -125,6 +126,55 @@ TEST_P(DamagedBag, RandomBytesAtTheEnd) {
   const std::string cut = bytes_.substr(0, bytes_.size() / 2) + std::string(50000, '\x7f');
   const std::vector<ros::Time> stamps = segment(cut, "what could be read is done");
   EXPECT_GE(stamps.size(), kFrames / 2 - 3U);
+}
+
+// What rosbag's library follows without a look, into memory that is not there.
+TEST_P(DamagedBag, WrongIndex) {
+  const std::size_t index = bytes_.find("op=\x04");
+  const std::size_t entry = bytes_.find("ver=", index) + 8 + 4;  // after the length of the data
+  ASSERT_LT(entry + 12, bytes_.size());
+  const auto changed = [this](std::size_t at, const std::string& with) {
+    return std::string(bytes_).replace(at, with.size(), with);
+  };
+  const std::size_t index_pos = bytes_.find("index_pos=") + 10;
+  const std::size_t chunk_pos = bytes_.find("chunk_pos=") + 10;
+  const std::size_t connections = bytes_.rfind("op=\x07");
+  const std::pair<const char*, std::string> kCases[] = {
+      {"offset beyond the chunk", changed(entry + 8, std::string("\0\0\0\x10", 4))},
+      {"offset at the end", changed(entry + 8, "\xff\xff\xff\xff")},
+      {"index that begins elsewhere", changed(index_pos, std::string("\x80\x13\0\0\0\0\0\0", 8))},
+      {"chunk that is not there", changed(chunk_pos, std::string("\x05\0\0\0\0\0\0\0", 8))},
+      {"connection that is not told of", changed(connections, "op=\x01")}};
+  for (const auto& [name, bytes] : kCases) {
+    SCOPED_TRACE(name);
+    EXPECT_GE(segment(bytes, "what could be read is done").size(), kFrames - 2U);
+  }
+}
+
+TEST_P(DamagedBag, ChunkOfSizeZero) {
+  folder_.write("in.bag", std::string(bytes_).replace(bytes_.find("size=") + 5, 4, 4, '\0'));
+  const ToolResult result =
+      runProcess(SEGMENT_BAG, {(folder_ / "in.bag").string(), (folder_ / "out.bag").string()});
+  EXPECT_EQ(result.exit_code, 1);
+  EXPECT_NE(result.err.find("a chunk is broken"), std::string::npos) << result.err;
+}
+
+// Bytes anywhere, one after the other: whatever comes of it, it is no crash.
+TEST_P(DamagedBag, WrongBytesAnywhere) {
+  std::uint32_t random = 1;
+  for (int i = 0; i < 40; ++i) {
+    std::string broken = bytes_;
+    // Most of them where the structure is, at the chunks' heads and in the index.
+    random = random * 1664525U + 1013904223U;
+    const char* const kPlaces[] = {"op=", "size=", "conn=", "count=", "chunk_pos=", "time="};
+    std::size_t at = random % broken.size();
+    at = std::min(broken.find(kPlaces[i % 6], at), broken.size() - 40) + (random >> 24U) % 40;
+    broken[at] = static_cast<char>(random >> 16U);
+    folder_.write("in.bag", broken);
+    const ToolResult result =
+        runProcess(SEGMENT_BAG, {(folder_ / "in.bag").string(), (folder_ / "out.bag").string()});
+    EXPECT_TRUE(result.exit_code == 0 || result.exit_code == 1) << "byte " << at << ": " << result.err;
+  }
 }
 
 std::string nameOf(const testing::TestParamInfo<rosbag::CompressionType>& info) {

@@ -27,16 +27,22 @@ enum class Refusal : std::uint8_t {
   kUnorganized,   ///< a point cloud without rows and columns
   kCloudFields,   ///< a point cloud without x, y and z as floats
   kNotPinhole,    ///< a point cloud whose points a pinhole camera sees elsewhere
+  kUndecodable,   ///< a compressed depth image whose pixels cannot be decoded
 };
 
-constexpr std::size_t kRefusalCount = 12;
+constexpr std::size_t kRefusalCount = 13;
 
 /// The refusal's name as it stands in the diagnostics: "empty_image", "short_data" ...
 const char* nameOf(Refusal refusal);
 
-/// What the nodelet takes at most.
+/// Bounds of InputLimits::depth_unit [m].
+constexpr double kMinDepthUnit = 1e-6;
+constexpr double kMaxDepthUnit = 0.1;
+
+/// What the nodelet takes at most, and what its numbers mean.
 struct InputLimits {
   std::uint64_t max_pixels = std::uint64_t{1} << 24;  ///< [px] of one image
+  double depth_unit = 0.001;                          ///< [m] depth of one count of a 16-bit image
 };
 
 /// False for what no lens is like; points made with a usable camera do not overflow a float.
@@ -57,6 +63,15 @@ struct Validation {
 /// two headers and the number of bytes; allocates nothing and never throws, whatever they say.
 Validation validate(const sensor_msgs::Image& image, const sensor_msgs::CameraInfo& info,
                     const InputLimits& limits = {});
+
+/// Returns whether camera_info describes images of this size, binning and region of interest included.
+bool sizesMatch(const sensor_msgs::Image& image, const sensor_msgs::CameraInfo& info);
+
+/// Returns the intrinsics K of the image as the sensor gives it, binning and region of interest included.
+CameraIntrinsics rawIntrinsics(const sensor_msgs::CameraInfo& info);
+
+/// Returns those of P, of the rectified image.
+CameraIntrinsics rectifiedIntrinsics(const sensor_msgs::CameraInfo& info);
 
 /// One line for the user: what is wrong with these two, and what to do about it.
 std::string explain(Refusal refusal, const sensor_msgs::Image& image, const sensor_msgs::CameraInfo& info);

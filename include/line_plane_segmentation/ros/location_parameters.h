@@ -7,12 +7,18 @@
 
 namespace line_plane_segmentation {
 
+/// The values of FrameParameters::tf_fallback.
+constexpr char kNoTransform[] = "none";
+constexpr char kLatestTransform[] = "latest";
+
 /// The frames that planes are told in and by. Empty names: not used.
 struct FrameParameters {
   std::string target_frame;   ///< planes, markers and cloud are given in it; empty = the camera's own
   std::string gravity_frame;  ///< its z axis is up: planes' orientations go by it
   std::string fixed_frame;    ///< does not move: the camera's motion is measured in it, for the ids
   double tf_patience = 0.1;   ///< [s] that an image may wait for transforms that are late, or the first
+  std::string tf_fallback =
+      kNoTransform;  ///< what takes the place of one that does not come: none, or the latest
 
   bool any() const { return !target_frame.empty() || !gravity_frame.empty() || !fixed_frame.empty(); }
 };

@@ -37,6 +37,13 @@ void visitFrames(ParametersType& p, Visitor&& visitor) {
   visitor("fixed_frame", p.location.frames.fixed_frame);
 }
 
+/// Calls `visitor(name, value)` for all parameters that are texts, but the preset.
+template <typename ParametersType, typename Visitor>
+void visitTexts(ParametersType& p, Visitor&& visitor) {
+  visitFrames(p, visitor);
+  visitor("tf_fallback", p.location.frames.tf_fallback);
+}
+
 /// The parameters in a dynamic_reconfigure config, matched by name.
 NodeletParameters parametersFrom(const PlaneSegmenterConfig& config);
 
