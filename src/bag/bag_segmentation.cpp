@@ -23,7 +23,7 @@
 namespace line_plane_segmentation {
 namespace {
 
-/// A frame that is being worked on.
+/// A frame in processing.
 struct Slot {
   BagFrame frame;
   FrameSegmenter segmenter;
@@ -97,7 +97,7 @@ class BagSegmentation {
 
   bool needsTransforms() const { return task_.location.frames.any(); }
 
-  // Takes the next message of the bag. False if there is none.
+  // Reads the next message of the bag. Returns false at its end.
   bool readOne() {
     stopIfInterrupted();
     BagMessage message;
@@ -126,7 +126,7 @@ class BagSegmentation {
     return true;
   }
 
-  // In the order of the images: ids stay with their planes.
+  // In the order of the images, which the ids depend on.
   void write(Slot& slot) {
     DepthTopic& topic = *slot.frame.topic;
     FrameSegmenter& segmenter = slot.segmenter;
@@ -161,7 +161,7 @@ class BagSegmentation {
     return locator->second;
   }
 
-  // As the nodelet waits for transforms that are late, or the first of all, the bag is read on.
+  // The nodelet waits for late or first transforms; here the bag is read ahead instead.
   CameraPlaces findPlaces(const BagFrame& frame, PlaneLocator& locator, const std_msgs::Header& header) {
     constexpr std::size_t kMaxWaiting = 64;  // frames, however little the recording times advance
     const double latest = frame.time.toSec() + task_.location.frames.tf_patience;

@@ -56,8 +56,8 @@ class DamagedBag : public BagInput {
     bool wanted = false;
   };
 
-  // Every record: length and bytes of its header, length and bytes of its data. What does not fit into the
-  // chunk is cut off, and with it the rest.
+  // Format of a record: length and bytes of the header, length and bytes of the data. A record that exceeds
+  // the chunk is truncated, and parsing ends there.
   bool readFromChunk(BagMessage& message) {
     std::uint8_t* const record = chunk_.data() + chunk_at_;
     const std::uint64_t left = chunk_.size() - chunk_at_;
@@ -99,7 +99,7 @@ class DamagedBag : public BagInput {
     return true;
   }
 
-  // Takes the next record of the file, a chunk's content or a record outside of any, to be read from chunk_.
+  // Loads the next record of the file into chunk_: the content of a chunk, or a record outside of chunks.
   bool readFromFile() {
     std::array<std::uint8_t, 4> number{};
     Bytes header;
@@ -115,7 +115,7 @@ class DamagedBag : public BagInput {
 
     chunk_at_ = 0;
     if (fields_.operation() == rosbag::OP_CHUNK) return decompress(data), true;
-    // While a chunk is being recorded its length is 0 in the file: its records then seem to be outside.
+    // While a chunk is recorded its length in the file is 0, so its records appear to be outside of chunks.
     chunk_.clear();
     append(static_cast<std::uint32_t>(header.size()), header);
     append(numberAt(number.data()), data);
@@ -146,7 +146,7 @@ class DamagedBag : public BagInput {
       streams_.getStream(kind)->decompress(chunk_.data(), size, data.data(),
                                            static_cast<unsigned>(data.size()));
     } catch (const std::exception&) {
-      chunk_.clear();  // the next one may be whole
+      chunk_.clear();  // the next one may be readable
     }
   }
 
@@ -167,7 +167,7 @@ class DamagedBag : public BagInput {
   std::size_t chunk_at_ = 0;
   std::map<std::uint32_t, Connection> connections_;
   std::map<std::string, std::string> topics_;
-  rosbag::ChunkedFile no_file_;  // the decompressors want one
+  rosbag::ChunkedFile no_file_;  // required by the decompressors
   rosbag::StreamFactory streams_{&no_file_};
 };
 

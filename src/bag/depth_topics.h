@@ -28,18 +28,18 @@ struct TopicChoice {
   Rectify rectify = Rectify::kAuto;
 };
 
-/// A depth image topic of a bag and what became of its images.
+/// A depth image topic of a bag, with statistics of its images.
 struct DepthTopic {
   std::string image;             ///< without the ending of a compressed one
   std::string info;              ///< its camera_info; empty while none is known
-  std::string result_namespace;  ///< where its results go, "/camera/plane_segmenter"
+  std::string result_namespace;  ///< namespace of its results, such as "/camera/plane_segmenter"
   InfoMatcher matcher;
   std::size_t images = 0;
-  std::size_t frames = 0;   ///< segmented
+  std::size_t frames = 0;   ///< number of segmented frames
   std::size_t guessed = 0;  ///< frames that went with another camera_info than that of their stamp
-  std::size_t planes = 0;   ///< of all frames
-  std::size_t refused = 0;  ///< frames, as the nodelet would
-  std::string refusal;      ///< why the last one was
+  std::size_t planes = 0;   ///< total over all frames
+  std::size_t refused = 0;  ///< number of frames refused, by the nodelet's rules
+  std::string refusal;      ///< reason for the last one
 };
 
 /// A frame of a bag.
@@ -49,7 +49,7 @@ struct BagFrame {
   ros::Time time;  ///< when it was whole: the recording time of the message that made it so
 };
 
-/// Picks the depth topics of a bag and pairs their images with camera_info, as the nodelet does.
+/// Selects the depth topics of a bag and pairs their images with camera_info, like the nodelet.
 ///
 /// Without named topics these are depth: 16UC1 and 32FC1 images, plain or compressed, and mono16 images whose
 /// topic says "depth"; infrared images are mono16, too. Label images of a segmenter are not.
@@ -64,14 +64,14 @@ class DepthTopics {
   /// Returns whether messages of this kind are of use to add().
   bool wants(const std::string& topic, const std::string& datatype) const;
 
-  /// Takes a message; appends the frames that it makes whole.
-  /// @throws std::exception if its content is broken
+  /// Adds a message, and appends the frames that it completes.
+  /// @throws std::exception if it cannot be deserialised
   void add(const BagMessage& message, std::deque<BagFrame>& frames);
 
   /// At the end of the bag: appends the frames that still can be made.
   void finish(std::deque<BagFrame>& frames);
 
-  /// Those found so far, in the order in which they were first seen.
+  /// Topics found so far, in order of their first message.
   const std::list<DepthTopic>& all() const { return topics_; }
 
   /// The image topics that were left out, with their encodings: {"/camera/rgb/image_raw", "rgb8"}.
@@ -93,7 +93,7 @@ class DepthTopics {
 
   TopicChoice choice_;
   std::map<std::string, std::string> types_;
-  std::list<DepthTopic> topics_;                 // a list: frames point to its elements
+  std::list<DepthTopic> topics_;                 // a list, since frames hold pointers to its elements
   std::map<std::string, DepthTopic*> by_image_;  // null: not a depth topic
   std::map<std::string, InfoHistory> infos_;     // by their topic
   InfoHistory no_infos_;

@@ -17,7 +17,7 @@ namespace line_plane_segmentation {
 /// The subscription of a depth image and its camera_info.
 class CameraSubscription : public InputSource {
  public:
-  /// Subscribes nothing yet.
+  /// Does not subscribe yet.
   /// @param name  of the nodelet, for the log
   CameraSubscription(const std::string& name, const ros::NodeHandle& nh, const ros::NodeHandle& private_nh,
                      const StartParameters& parameters, Handler handler);

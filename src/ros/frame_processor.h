@@ -18,18 +18,18 @@
 
 namespace line_plane_segmentation {
 
-/// Segments frames and publishes the results in a thread of its own, so that no worker thread of a
-/// nodelet manager is ever held up by it. The public functions may be called from any thread.
+/// Segments frames and publishes the results in a thread of its own, so that the worker threads of the
+/// nodelet manager are never blocked. The public functions may be called from any thread.
 class FrameProcessor {
  public:
-  /// @param name        of the nodelet, for the log
-  /// @param queue_size  frames that may wait
+  /// @param name  name of the nodelet, for the log
+  /// @param queue_size  largest number of waiting frames
   /// @param outputs     must outlive this
   /// @param transforms  must outlive this
   FrameProcessor(const std::string& name, const InputLimits& limits, std::size_t queue_size,
                  const Outputs& outputs, TransformListener& transforms);
 
-  /// Takes effect, all at once, with the next frame that is begun. Never waits for a frame.
+  /// All parameters take effect together, with the next frame. Never waits for a frame.
   void setParameters(const NodeletParameters& parameters);
 
   FrameQueue& queue() { return worker_.queue(); }
@@ -52,12 +52,12 @@ class FrameProcessor {
   NodeletParameters parameters_;
   bool parameters_changed_ = true;
 
-  // Used by the thread alone.
+  // Used by the worker thread only.
   InputAdvice advice_;
   FrameSegmenter segmenter_;
   PlaneLocator locator_;
   bool tracing_outlines_ = true;
-  // Of each lookup, if tf tells nothing of its frames.
+  // Per lookup: since when tf has not known its frames; empty if it knows them.
   std::array<std::optional<std::chrono::steady_clock::time_point>, CameraPlaces::kCount> unknown_since_;
   ClockJump clock_jump_{3, std::chrono::seconds(1)};
 

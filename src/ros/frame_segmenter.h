@@ -18,8 +18,9 @@
 
 namespace line_plane_segmentation {
 
-/// From the messages of one frame to its planes, without topics, threads or log: what the nodelet and the
-/// tools for bags share, so that they give the same. Knows nothing of the frames before; not thread-safe.
+/// Computes the planes of one frame from its messages, without topics, threads or log output. Shared by the
+/// nodelet and segment_bag, so that both give the same result. The result does not depend on earlier
+/// frames. Not thread-safe.
 class FrameSegmenter {
  public:
   explicit FrameSegmenter(const InputLimits& limits = {}) : limits_(limits) {}
@@ -27,21 +28,21 @@ class FrameSegmenter {
   /// Takes effect with the next frame.
   void setParameters(const Parameters& parameters) { segmenter_.setParameters(parameters); }
 
-  /// Looks at the frame, and decides whether it is segmented.
-  /// @param frame  its messages must live as long as what is made of them here
+  /// Validates the messages of a frame.
+  /// @param frame  its messages must outlive the results computed from them
   const Validation& accept(const CameraFrame& frame);
 
-  /// One line for the user, if the last frame was refused: why, and what to do about it.
-  /// @param frame  the same that was looked at
+  /// Returns one line for the user if the last frame was refused: the reason and the remedy.
+  /// @param frame  the frame that was passed to accept()
   std::string explanation(const CameraFrame& frame) const;
 
   /// Segments the frame that was accepted.
   const Segmentation& segment();
 
-  /// Both in one, unless the frame is refused.
+  /// Calls accept() and, unless the frame is refused, segment().
   const Validation& segment(const CameraFrame& frame);
 
-  /// Of the last frame: what was decided about it. The rest below is meaningful only if it was accepted.
+  /// Validation of the last frame. The functions below are meaningful only if it was accepted.
   const Validation& input() const { return input_; }
 
   /// The image's header, its frame_id without the leading slashes that tf2 refuses.
@@ -53,8 +54,8 @@ class FrameSegmenter {
   const DepthRange& range() const { return range_; }
   const StageClock& clock() const { return clock_; }
 
-  /// All that messages are made from, valid until the next frame.
-  /// @param published  what publishPlanes() made of the segmentation; must live as long
+  /// Returns the data from which messages are built, valid until the next frame.
+  /// @param published  result of publishPlanes() for this segmentation; must outlive the returned value
   SegmentedFrame result(const PublishedPlanes& published) const;
 
  private:

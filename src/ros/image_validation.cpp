@@ -15,7 +15,7 @@
 namespace line_plane_segmentation {
 namespace {
 
-// No lens is outside of this, and no point made with such numbers overflows a float.
+// Range of real lenses. Points computed with values in this range do not overflow a float.
 constexpr double kMinFocalLength = 1e-2;  // [px]
 constexpr double kMaxPixelNumber = 1e7;   // [px]
 
@@ -31,7 +31,7 @@ bool depthTypeOf(const std::string& encoding, DepthType& type) {
   return true;
 }
 
-// Sizes are multiplied in 64 bits: the header's 32-bit numbers cannot wrap there.
+// Sizes are multiplied in 64 bits, where the 32-bit values of the header cannot overflow.
 Refusal makeView(const sensor_msgs::Image& image, const InputLimits& limits, DepthView& view) {
   if (image.width == 0 || image.height == 0) return Refusal::kEmptyImage;
   DepthType type = DepthType::kUint16;
@@ -58,12 +58,12 @@ Refusal makeView(const sensor_msgs::Image& image, const InputLimits& limits, Dep
   return Refusal::kNone;
 }
 
-// One side of the part of the sensor that the image shows, in the sensor's pixels.
+// Width or height of the region of interest in sensor pixels, or the full size without a region.
 std::uint64_t shownPixels(std::uint32_t full, std::uint32_t roi) { return roi == 0 ? full : roi; }
 
 std::uint64_t binningOf(std::uint32_t binning) { return std::max<std::uint32_t>(binning, 1); }
 
-// Drivers round an odd side up or down when they bin it.
+// With binning, drivers round an odd size up or down.
 bool sizeFits(std::uint64_t image, std::uint64_t shown, std::uint64_t binning) {
   const std::uint64_t covered = image * binning;
   return (covered > shown ? covered - shown : shown - covered) < binning;
@@ -71,7 +71,7 @@ bool sizeFits(std::uint64_t image, std::uint64_t shown, std::uint64_t binning) {
 
 bool hasProjection(const sensor_msgs::CameraInfo& info) { return info.P[0] != 0.0 || info.P[5] != 0.0; }
 
-// P and K are about the full sensor: first the region of interest, then its binning.
+// P and K refer to the full sensor: the region of interest is applied first, then the binning.
 CameraIntrinsics shownPart(CameraIntrinsics camera, const sensor_msgs::CameraInfo& info) {
   if (info.roi.width != 0) camera.cx -= info.roi.x_offset;
   if (info.roi.height != 0) camera.cy -= info.roi.y_offset;
@@ -168,7 +168,7 @@ std::string explain(Refusal refusal, const sensor_msgs::Image& image, const sens
     case Refusal::kUndecodable:
       return "the pixels of a compressed image of " + size + ", " + quoted(image.encoding) +
              ", cannot be decoded: check the recording, or what compresses the images";
-    default:  // nothing is wrong with these two
+    default:  // accepted, or unrelated to the messages
       return {};
   }
 }

@@ -14,40 +14,40 @@
 
 namespace line_plane_segmentation {
 
-/// What a transform is for.
+/// Purpose of a transform.
 enum class Purpose { kTarget, kGravity, kMotion };
 
 constexpr std::size_t kPurposeCount = 3;
 
-/// Tells the user in the log what is odd about the input, without filling the log: each oddity once, each
-/// refusal every few seconds. Goes by a clock that simulated time does not touch, and for itself, however
-/// many nodelets share the process.
+/// Logs warnings about unusual input without flooding the log: each kind once, refusals at most every few
+/// seconds. Uses the steady clock, independent of simulated time. Each instance throttles on its own, so
+/// nodelets in one process do not affect each other.
 class InputAdvice {
  public:
-  /// @param name  of the nodelet, at the head of each line
+  /// @param name  name of the nodelet, at the beginning of each line
   explicit InputAdvice(std::string name) : name_(std::move(name)) {}
 
-  /// What tf told for a frame. Transforms fail now and then; said is only when most of them do.
+  /// Registers a tf lookup. Single failures are normal; warns if most lookups fail.
   /// @param patience  [s] that was waited for it
   void transformed(Purpose purpose, const TransformLookup& lookup, double patience);
 
-  /// A frame that is not processed.
+  /// Registers a refused frame.
   void refused(Refusal refusal, const std::string& explanation);
 
-  /// A frame that failed.
+  /// Registers a frame whose processing threw an exception.
   void failed(const std::string& problem);
 
-  /// A frame that is processed, though something about it may be odd.
+  /// Registers an accepted frame, and warns if it is unusual.
   void accepted(const CameraFrame& frame, const Validation& input);
 
-  /// What became of it.
+  /// Registers its segmentation, and warns if most depths are out of range.
   void segmented(const Validation& input, const DepthRange& range, const Segmentation& segmentation);
 
  private:
   using TimePoint = std::chrono::steady_clock::time_point;
 
   struct Transforms {
-    int found = 0;  // since the last warning
+    int found = 0;  // lookups since the last warning
     int failed = 0;
     TimePoint last_warning{};
   };

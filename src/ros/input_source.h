@@ -10,29 +10,29 @@
 
 namespace line_plane_segmentation {
 
-/// The topics that frames come from: an image with its camera_info, or a cloud alone. The others are empty.
+/// Names of the input topics: image and camera_info, or cloud. The others are empty.
 struct InputTopics {
   std::string image;
   std::string info;
   std::string cloud;
 };
 
-/// When something last came over a subscription. The default time_point: never.
+/// Times of the last received messages. A default-constructed time_point means never.
 struct InputTimes {
   using TimePoint = std::chrono::steady_clock::time_point;
-  TimePoint subscribed;  ///< since when there is a subscription; never = there is none
+  TimePoint subscribed;  ///< start of the subscription; never if not subscribed
   TimePoint image;
   TimePoint info;
-  TimePoint frame;  ///< an image together with its camera_info, or a cloud
+  TimePoint frame;  ///< last pair of image and camera_info, or last cloud
 
   bool has_fallen_back = false;  ///< images go with the newest camera_info, not with that of their stamp
 };
 
-/// A subscription that makes frames. All calls, and the handler, run on the node handle's (single-threaded)
-/// queue or under the lock of whoever calls.
+/// Interface of a subscription that produces frames. All calls, and the handler, run on the node handle's
+/// single-threaded queue or under the caller's lock.
 class InputSource {
  public:
-  /// Called with every frame; must return at once.
+  /// Called with each frame; must not block.
   using Handler = std::function<void(CameraFrame)>;
 
   virtual ~InputSource() = default;

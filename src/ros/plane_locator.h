@@ -18,7 +18,8 @@
 
 namespace line_plane_segmentation {
 
-/// What tf knows of an image's camera. Lookups that nobody asked for are found, and mean nothing.
+/// Results of the tf lookups for one image. A lookup that was not needed counts as found, with the
+/// identity.
 struct CameraPlaces {
   TransformLookup target;
   TransformLookup gravity;
@@ -27,15 +28,15 @@ struct CameraPlaces {
   static constexpr std::size_t kCount = 3;
   std::array<const TransformLookup*, kCount> all() const { return {&target, &gravity, &fixed}; }
 
-  /// Whether that is the answer to any of the lookups.
+  /// Returns true if any lookup has this answer.
   bool has(TransformLookup::Answer answer) const;
 
   /// Whether any of them is too old for tf.
   bool isTooOld() const;
 };
 
-/// Tells where the planes of one image after the other are, how they lie, and which of those before they are.
-/// Never waits for tf. Not thread-safe.
+/// Computes target-frame coordinates, orientation and ids of the planes of consecutive images. Never waits
+/// for tf. Not thread-safe.
 class PlaneLocator {
  public:
   /// @param transforms  must outlive this
@@ -45,7 +46,7 @@ class PlaneLocator {
   void setParameters(const LocationParameters& parameters);
   const LocationParameters& parameters() const { return parameters_; }
 
-  /// Asks tf what is needed for an image, as often as one likes.
+  /// Looks up the transforms needed for an image. Can be called repeatedly.
   CameraPlaces lookUp(const std_msgs::Header& header) const;
 
   /// Replaces what was not found by the newest that tf knows, if tf_fallback says so.
@@ -56,10 +57,11 @@ class PlaneLocator {
   /// @return whether it was emptied
   bool clearIfClockWentBack(const CameraPlaces& places, ClockJump& jump);
 
-  /// Ids start anew when stamps go back, or ahead by more than a minute.
-  /// @param header  the image's, its frame_id without a leading slash
-  /// @param places  as lookUp() told, with a target
-  /// @return what is to be published; valid until the next call
+  /// Computes what is published for the planes. Ids restart if timestamps jump back, or forward by more
+  /// than a minute.
+  /// @param header  header of the image, its frame_id without a leading slash
+  /// @param places  result of lookUp(), with the target found
+  /// @return the published planes, valid until the next call
   const PublishedPlanes& locate(const Segmentation& segmentation, const CameraIntrinsics& camera,
                                 const std_msgs::Header& header, const CameraPlaces& places);
 
@@ -71,7 +73,7 @@ class PlaneLocator {
   LocationParameters parameters_;
   PlaneTracker tracker_;
   std::optional<ros::Time> last_stamp_;
-  std::optional<Eigen::Isometry3d> last_pose_;  // of the camera in the fixed frame
+  std::optional<Eigen::Isometry3d> last_pose_;  // camera pose in the fixed frame
   PublishedPlanes published_;
 };
 

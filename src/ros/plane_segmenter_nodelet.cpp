@@ -25,7 +25,7 @@ std::string describe(const InputTopics& topics) {
 
 PlaneSegmenterNodelet::~PlaneSegmenterNodelet() = default;
 
-// Nothing may be thrown out of here: nodelet would go on using what it has deleted.
+// No exception may leave onInit(): nodelet 1.10 would then use the deleted object.
 void PlaneSegmenterNodelet::onInit() {
   try {
     const std::lock_guard<std::mutex> lock(connect_mutex_);
@@ -43,7 +43,7 @@ void PlaneSegmenterNodelet::onInit() {
         std::make_unique<diagnostic_updater::Updater>(getNodeHandle(), getPrivateNodeHandle(), getName());
     updater_->setHardwareID("none");
     updater_->add("plane segmentation", this, &PlaneSegmenterNodelet::reportStatus);
-    // Not Updater::update(): it falls silent when simulated time goes back.
+    // Updater::update() stops reporting when simulated time jumps back.
     report_timer_ =
         getNodeHandle().createWallTimer(ros::WallDuration(1.0), [this](const ros::WallTimerEvent&) {
           containExceptions(getName(), [this] { updater_->force_update(); });
@@ -124,7 +124,7 @@ void PlaneSegmenterNodelet::updateSubscription() {
     subscription_->subscribe();
     failure_.clear();
   } catch (const std::exception& exception) {
-    // A transport that is not installed, most likely.
+    // The most likely cause is an image transport that is not installed.
     subscription_->unsubscribe();
     failure_ = exception.what();
     ROS_ERROR("[%s] cannot subscribe: %s", getName().c_str(), failure_.c_str());
@@ -146,7 +146,7 @@ void PlaneSegmenterNodelet::reportStatus(diagnostic_updater::DiagnosticStatusWra
     const std::uint64_t late = subscription_->lateInfos();
     status.newly_late = late - std::exchange(reported_late_, late);
     status.frames = processor_->statistics().take();
-    // The updater's own would be late by one report.
+    // Set here as well, since the updater's own value takes effect one report later.
     if (!status.frames.frame_id.empty()) diagnostics.hardware_id = status.frames.frame_id;
   }
   report(status, std::chrono::steady_clock::now(), diagnostics);

@@ -14,7 +14,8 @@ namespace {
 
 using Answer = TransformLookup::Answer;
 
-// tf takes quaternions whose length is off by half a percent, and normals are to have the length 1.
+// tf accepts quaternions whose norm is off by half a percent; normalised here, since normals must have
+// length 1.
 Eigen::Isometry3d toEigen(const geometry_msgs::TransformStamped& message) {
   Eigen::Isometry3d transform = tf2::transformToEigen(message);
   transform.linear() = Eigen::Quaterniond(transform.linear()).normalized().toRotationMatrix();
@@ -27,7 +28,7 @@ bool isUsable(const Eigen::Isometry3d& transform) {
   return transform.translation().norm() <= kFarthest && transform.linear().allFinite();
 }
 
-// The newest time for which the transform is known; 0 if there is none.
+// Newest time at which the transform is known, 0 if there is none.
 ros::Time newest(const tf2::BufferCore& buffer, const std::string& target, const std::string& source) {
   try {
     return buffer.lookupTransform(target, source, ros::Time(0)).header.stamp;
@@ -56,13 +57,13 @@ TransformLookup lookUp(const tf2::BufferCore& buffer, const std::string& target,
   } catch (const tf2::ExtrapolationException& exception) {
     lookup.problem = exception.what();
     const ros::Time known = newest(buffer, target, source);
-    // Not as a difference of times, which throws where it is too large.
+    // ros::Time::operator- throws if the difference is too large.
     lookup.is_too_old = known.toSec() - time.toSec() > tf2::BufferCore::DEFAULT_CACHE_TIME;
     lookup.missed_by = std::max(0.0, time.toSec() - known.toSec());
     if (known.isZero() || lookup.is_too_old) {
       lookup.answer = Answer::kUnknown;
     } else if (known < time || buffer.canTransform(target, source, time)) {
-      // Or it came just now, between the two questions: then asking again finds it.
+      // Or it arrived between the two lookups; the next one then finds it.
       lookup.answer = Answer::kLate;
     }
   } catch (const tf2::LookupException& exception) {
@@ -72,7 +73,7 @@ TransformLookup lookUp(const tf2::BufferCore& buffer, const std::string& target,
     lookup.problem = exception.what();
     lookup.answer = Answer::kUnknown;
   } catch (const std::exception& exception) {
-    // Not tf2's alone: times that lie very far apart make it throw others.
+    // tf2 also throws other exceptions, for times very far apart.
     lookup.problem = exception.what();
   }
   return lookup;

@@ -10,26 +10,27 @@
 
 namespace line_plane_segmentation {
 
-/// What tf answered.
+/// Result of a tf lookup.
 struct TransformLookup {
   enum class Answer {
     kFound,
-    kLate,     ///< not known yet for this time, only for earlier ones: it may come
-    kUnknown,  ///< the frames are not known, or not how they hang together, at any time: a moment ago tf
-               ///< began, or began again, or it never tells
-    kMissing,  ///< not known, and waiting will not help
+    kLate,     ///< not yet available at this time, only at earlier ones: may arrive
+    kUnknown,  ///< a frame or their connection is unknown at any time: tf has just
+               ///< (re)started, or the frame does not exist
+    kMissing,  ///< not available, and waiting does not help
   };
   Answer answer = Answer::kMissing;
-  Eigen::Isometry3d transform = Eigen::Isometry3d::Identity();  ///< if found: source's points in `target`
-  std::string problem;                                          ///< if not: tf's words
-  double missed_by = 0.0;   ///< [s] if kLate: how much older the newest transform is
-  bool is_too_old = false;  ///< the buffer holds nothing but transforms from long after the time
+  Eigen::Isometry3d transform =
+      Eigen::Isometry3d::Identity();  ///< if found: maps points of `source` to `target`
+  std::string problem;                ///< if not found: message of tf
+  double missed_by = 0.0;             ///< [s] if kLate: how much older the newest transform is
+  bool is_too_old = false;            ///< the buffer holds nothing but transforms from long after the time
 
   bool found() const { return answer == Answer::kFound; }
 };
 
-/// Asks for a transform at a time; never waits for it. The time 0 stands for the newest there is, as ever in
-/// tf. Never throws, whatever the frames' names are.
+/// Looks up a transform at a time, without waiting. Time 0 selects the newest one, as usual in tf. Never
+/// throws, for any frame names.
 TransformLookup lookUp(const tf2::BufferCore& buffer, const std::string& target, const std::string& source,
                        const ros::Time& time);
 

@@ -35,7 +35,7 @@ constexpr const char* typeNameOf() {
   return std::is_same<T, bool>::value ? "bool" : std::is_same<T, double>::value ? "double" : "int";
 }
 
-// Every value is another one than its default, and sanitize() has nothing to say about it.
+// Every value differs from its default and is accepted by sanitize().
 NodeletParameters unusualParameters() {
   NodeletParameters parameters;
   visitNodeletParameters(parameters, [](const char*, auto& value, auto min, auto max) {
@@ -65,7 +65,7 @@ TEST(ConfigFile, groupsAllButWhatChoosesTheRest) {
   EXPECT_EQ(in_groups + above.size(), PlaneSegmenterConfig::__getParamDescriptions__().size());
 }
 
-// The .cfg file repeats what parameters.h says, because dynamic_reconfigure cannot read that.
+// The .cfg file repeats the values of parameters.h, which dynamic_reconfigure cannot read.
 TEST(ConfigFile, agreesWithTheParameters) {
   const auto& description = PlaneSegmenterConfig::__getDescriptionMessage__();
   const Values defaults = valuesOf(description.dflt);
@@ -140,7 +140,7 @@ TEST(Reconfiguring, refusesTextsThatAreNone) {
   for (const std::string& change : changes) EXPECT_LT(change.size(), 400U);
 }
 
-// Row 31: the generated clamp lets a NaN through.
+// Row 31: the generated clamp does not catch NaN.
 TEST(Reconfiguring, refusesEachNanAndTakesTheRest) {
   NodeletParameters current;
   current.method.extraction.plane_distance = 0.05;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The parts of location together: what tf tells decides frame, orientation and ids.
+// PlaneLocator as a whole: transforms determine frame, orientation and ids.
 #include "plane_locator.h"
 
 #include <gtest/gtest.h>
@@ -18,7 +18,7 @@ namespace {
 constexpr int kWidth = 160;
 constexpr int kHeight = 120;
 
-// A camera, 1 m above the floor of a room whose z axis is up, that turns about the vertical.
+// A camera 1 m above the floor that turns about the vertical; z is up.
 class Locator : public testing::Test {
  protected:
   enum : std::size_t { kFront, kLeft, kFloor };
@@ -38,7 +38,7 @@ class Locator : public testing::Test {
     ASSERT_TRUE(transforms_.setTransform(message, "test", false));
   }
 
-  /// Takes a picture and tells where its planes are.
+  /// Renders an image and locates its planes.
   const PublishedPlanes& look(double seconds, double degrees) {
     std_msgs::Header header;
     header.stamp = ros::Time(seconds);
@@ -118,7 +118,7 @@ TEST_F(Locator, saysWhatIsLate) {
   }
 }
 
-// The camera turns by 25 degrees from one image to the next: by the images alone that is another wall.
+// The camera turns by 25 degrees between images: without its motion, the wall would get a new id.
 TEST_F(Locator, followsPlanesAlongTheMotionInTheFixedFrame) {
   putTransform(100.0, pose(0.0));
   putTransform(100.1, pose(25.0));
@@ -128,11 +128,11 @@ TEST_F(Locator, followsPlanesAlongTheMotionInTheFixedFrame) {
     const std::uint32_t left = planeOf(look(100.0, 0.0), kLeft).id;
     const std::uint32_t left_after = planeOf(look(100.1, 25.0), kLeft).id;
     EXPECT_EQ(known, left == left_after);
-    look(1.0, 0.0);  // and begin anew
+    look(1.0, 0.0);  // ids restart
   }
 }
 
-// A pose in one frame and one in another make no motion.
+// Poses in different fixed frames have no common motion.
 TEST_F(Locator, measuresMotionInOneFrame) {
   parameters_.frames.fixed_frame = "world";
   putTransform(100.0, pose(0.0));

@@ -15,7 +15,7 @@ using Answer = TransformLookup::Answer;
 
 class Lookup : public testing::Test {
  protected:
-  // The camera is so far along the world's x axis, turned half round about z.
+  // The camera at this position on the world's x axis, rotated by 180 degrees about z.
   void put(double seconds, double x, bool is_static = false) {
     geometry_msgs::TransformStamped message;
     message.header.stamp = ros::Time(seconds);
@@ -67,7 +67,7 @@ TEST_F(Lookup, standsAnyName) {
   }
 }
 
-// tf2 computes with differences of times, which overflow.
+// tf2 computes differences of times, which overflow.
 TEST_F(Lookup, standsAnyTime) {
   put(100.0, 1.0);
   put(101.0, 2.0);
@@ -95,7 +95,7 @@ TEST_F(Lookup, takesTheNewestForTimeZero) {
   EXPECT_NEAR(2.0, lookup_.transform.translation().x(), 1e-9);
 }
 
-// Row 21: without simulated time nobody tells tf that a bag begins again.
+// Row 21: without simulated time tf is not notified that a bag loops.
 TEST_F(Lookup, tellsWhatIsTooOldForTf) {
   for (int i = 0; i <= 20; ++i) put(1000.0 + i, 1.0);
   EXPECT_EQ(Answer::kUnknown, ask(500.0)) << "from now on those of the new time may come";

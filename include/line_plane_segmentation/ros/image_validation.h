@@ -13,26 +13,26 @@
 
 namespace line_plane_segmentation {
 
-/// Why a frame is not processed.
+/// Reason for refusing a frame.
 enum class Refusal : std::uint8_t {
-  kNone,          ///< it is processed
+  kNone,          ///< not refused
   kEmptyImage,    ///< width or height is 0
   kEncoding,      ///< not a depth image
-  kTooLarge,      ///< more pixels than InputLimits::max_pixels, or more bytes than 32 bits can count
+  kTooLarge,      ///< more pixels than InputLimits::max_pixels, or a size of 2^32 bytes or more
   kBadStep,       ///< rows shorter than their pixels
-  kShortData,     ///< fewer bytes than the header says
-  kInfoMismatch,  ///< camera_info is about an image of another size
+  kShortData,     ///< fewer bytes than the header states
+  kInfoMismatch,  ///< camera_info belongs to an image of another size
   kNoIntrinsics,  ///< camera_info holds no usable focal lengths
-  kTf,            ///< tf cannot tell where the camera is in the frame that planes are wanted in
+  kTf,            ///< the camera's pose in the target frame is not available
   kUnorganized,   ///< a point cloud without rows and columns
   kCloudFields,   ///< a point cloud without x, y and z as floats
-  kNotPinhole,    ///< a point cloud whose points a pinhole camera sees elsewhere
+  kNotPinhole,    ///< a point cloud that no pinhole camera can have taken
   kUndecodable,   ///< a compressed depth image whose pixels cannot be decoded
 };
 
 constexpr std::size_t kRefusalCount = 13;
 
-/// The refusal's name as it stands in the diagnostics: "empty_image", "short_data" ...
+/// Returns the name used in the diagnostics: "empty_image", "short_data" ...
 const char* nameOf(Refusal refusal);
 
 /// Bounds of InputLimits::depth_unit [m].
@@ -41,26 +41,29 @@ constexpr double kMaxDepthUnit = 0.1;
 
 /// What the nodelet takes at most, and what its numbers mean.
 struct InputLimits {
-  std::uint64_t max_pixels = std::uint64_t{1} << 24;  ///< [px] of one image
+  std::uint64_t max_pixels = std::uint64_t{1} << 24;  ///< [px] largest number of pixels of an image
   double depth_unit = 0.001;                          ///< [m] depth of one count of a 16-bit image
 };
 
-/// False for what no lens is like; points made with a usable camera do not overflow a float.
+/// Returns false if the values are outside the range of real lenses. Points computed with a usable camera
+/// do not overflow a float.
 bool isUsable(const CameraIntrinsics& camera);
 
-/// What validate() decided. `view` and `camera` are usable if `accepted()`.
+/// Result of validate(). `view` and `camera` are usable if `accepted()`.
 struct Validation {
   Refusal refusal = Refusal::kNone;
-  DepthView view;           ///< of the image's own bytes: valid as long as the image is (of a cloud: its z)
-  CameraIntrinsics camera;  ///< of the view's pixels, binning and region of interest included
-  bool intrinsics_from_k = false;  ///< P holds no focal lengths, K was taken
-  bool distorted = false;          ///< camera_info or cloud has distortion: right if the image is rectified
+  DepthView
+      view;  ///< references the bytes of the image (of a cloud: the copied z) and is valid as long as these
+  CameraIntrinsics camera;         ///< for the view's pixels, with binning and region of interest applied
+  bool intrinsics_from_k = false;  ///< P has no focal lengths, K is used
+  bool distorted =
+      false;  ///< camera_info or cloud has distortion; the result is correct only if the image is rectified
 
   bool accepted() const { return refusal == Refusal::kNone; }
 };
 
-/// Decides about a depth image and its camera_info before any pixel is read. Looks at nothing but the
-/// two headers and the number of bytes; allocates nothing and never throws, whatever they say.
+/// Validates a depth image and its camera_info before any pixel is read, from the two headers and the
+/// number of bytes only. Does not allocate and never throws, for any messages.
 Validation validate(const sensor_msgs::Image& image, const sensor_msgs::CameraInfo& info,
                     const InputLimits& limits = {});
 
@@ -73,7 +76,7 @@ CameraIntrinsics rawIntrinsics(const sensor_msgs::CameraInfo& info);
 /// Returns those of P, of the rectified image.
 CameraIntrinsics rectifiedIntrinsics(const sensor_msgs::CameraInfo& info);
 
-/// One line for the user: what is wrong with these two, and what to do about it.
+/// Returns one line for the user: the fault of the messages and its remedy.
 std::string explain(Refusal refusal, const sensor_msgs::Image& image, const sensor_msgs::CameraInfo& info);
 
 }  // namespace line_plane_segmentation

@@ -11,29 +11,29 @@ namespace line_plane_segmentation {
 constexpr char kNoTransform[] = "none";
 constexpr char kLatestTransform[] = "latest";
 
-/// The frames that planes are told in and by. Empty names: not used.
+/// tf frames. An empty name means not used.
 struct FrameParameters {
-  std::string target_frame;   ///< planes, markers and cloud are given in it; empty = the camera's own
-  std::string gravity_frame;  ///< its z axis is up: planes' orientations go by it
-  std::string fixed_frame;    ///< does not move: the camera's motion is measured in it, for the ids
-  double tf_patience = 0.1;   ///< [s] that an image may wait for transforms that are late, or the first
+  std::string target_frame;   ///< frame of planes, markers and cloud; empty: the camera's optical frame
+  std::string gravity_frame;  ///< frame whose z axis points up, for the orientation of planes
+  std::string fixed_frame;    ///< static frame in which the camera's motion is measured, for the ids
+  double tf_patience = 0.1;   ///< [s] longest time that an image waits for transforms
   std::string tf_fallback =
       kNoTransform;  ///< what takes the place of one that does not come: none, or the latest
 
   bool any() const { return !target_frame.empty() || !gravity_frame.empty() || !fixed_frame.empty(); }
 };
 
-/// How planes are told apart by orientation, and which of them are published.
+/// Classification of planes by orientation, and the classes that are published.
 struct OrientationParameters {
-  double orientation_tolerance = 10.0;  ///< [deg] how far horizontal and vertical planes may be off
+  double orientation_tolerance = 10.0;  ///< [deg] largest deviation of horizontal and vertical planes
   bool publish_horizontal_up = true;    ///< floors, tables
   bool publish_horizontal_down = true;  ///< ceilings
   bool publish_vertical = true;         ///< walls
   bool publish_slanted = true;          ///< all others
-  bool publish_unknown = true;          ///< all, while nobody knows where up is
+  bool publish_unknown = true;          ///< all planes while the direction of gravity is unknown
 };
 
-/// As visitParameters() for the method's parameters: the one list of names and bounds.
+/// Calls the visitor with names and bounds, like visitParameters() for the method's parameters.
 template <typename ParametersType, typename Visitor>
 void visitOrientationParameters(ParametersType& p, Visitor&& visitor) {
   visitor("orientation_tolerance", p.orientation_tolerance, 0.0, 45.0);
@@ -44,7 +44,7 @@ void visitOrientationParameters(ParametersType& p, Visitor&& visitor) {
   visitor("publish_unknown", p.publish_unknown, false, true);
 }
 
-/// All that decides what is told of planes beyond the segmentation.
+/// Parameters of everything after the segmentation.
 struct LocationParameters {
   FrameParameters frames;
   OrientationParameters orientation;

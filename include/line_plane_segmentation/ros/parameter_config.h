@@ -13,14 +13,14 @@
 
 namespace line_plane_segmentation {
 
-/// Everything that can be changed while the nodelet runs.
+/// Parameters that can be changed at run time.
 struct NodeletParameters {
   std::string preset = "kinect";  ///< which preset `method` is, or "custom"
   Parameters method;
   LocationParameters location;
 };
 
-/// Calls `visitor(name, value, min, max)` as visitParameters() does, for all parameters but texts.
+/// Calls `visitor(name, value, min, max)` like visitParameters(), for all parameters except texts.
 template <typename ParametersType, typename Visitor>
 void visitNodeletParameters(ParametersType& p, Visitor&& visitor) {
   visitParameters(p.method, visitor);
@@ -44,22 +44,22 @@ void visitTexts(ParametersType& p, Visitor&& visitor) {
   visitor("tf_fallback", p.location.frames.tf_fallback);
 }
 
-/// The parameters in a dynamic_reconfigure config, matched by name.
+/// Returns the parameters of a dynamic_reconfigure config, matched by name.
 NodeletParameters parametersFrom(const PlaneSegmenterConfig& config);
 
 /// Writes the parameters into the config, matched by name.
 void writeParameters(const NodeletParameters& parameters, PlaneSegmenterConfig& config);
 
-/// What a reconfigure request makes of the current parameters. A NaN and an unknown preset are refused and
-/// leave what is there, frames lose leading slashes, everything else is put in order by sanitize(). A new
-/// preset sets all of the method; what the same request changes beside it is changed after that. `config` is
-/// made to tell the outcome.
-/// @param changes  gets one line for each value that was refused or changed
+/// Returns the parameters after a reconfigure request. NaN and unknown presets are refused and leave the
+/// current value. Leading slashes of frames are removed. All other values are bounded by sanitize(). A new
+/// preset sets all parameters of the method; other changes of the same request are applied after it.
+/// `config` is set to the values in effect.
+/// @param changes  one line is appended per value that was refused or changed
 NodeletParameters reconfigured(const NodeletParameters& current, PlaneSegmenterConfig& config,
                                std::vector<std::string>& changes);
 
-/// Looks at the parameters that somebody set for this node handle before it started.
-/// @throw std::invalid_argument that names each one of the wrong type or outside its bounds
+/// Checks the parameters that were set for this node handle before the start.
+/// @throw std::invalid_argument that names each parameter of the wrong type or out of bounds
 void checkParameterServer(const ros::NodeHandle& private_nh);
 
 /// Completes the parameter server for dynamic_reconfigure: replaces the name of a method by its number and,
