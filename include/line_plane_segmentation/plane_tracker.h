@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <vector>
@@ -30,6 +31,12 @@ void visitTrackingParameters(ParametersType& p, Visitor&& visitor) {
   visitor("track_angle", p.track_angle, 1.0, 90.0);
   visitor("track_distance", p.track_distance, 0.001, 10.0);
 }
+
+/// Planes of one image that are tracked at most: the first, which are the largest. It bounds memory and time.
+constexpr std::size_t kMaxTrackedPlanes = 1024;
+
+/// The planes beyond have ids from here on, this + their label, which change from image to image.
+constexpr std::uint32_t kFirstUntrackedId = 0xFFFF0000U;
 
 /// Gives planes ids that stay from image to image: the same surface keeps its id while it is in view and
 /// for a short absence.
@@ -70,6 +77,9 @@ class PlaneTracker {
     const RigidTransform unaligned(*motion);
     return track(segmentation, camera, seconds, &unaligned);
   }
+
+  /// Number of planes of the last image beyond kMaxTrackedPlanes, which have no lasting id.
+  std::size_t untracked() const;
 
   /// Forgets all planes, and begins again with id 1.
   void reset();

@@ -30,15 +30,30 @@ void samplePlanes(const Segmentation& segmentation, const CameraIntrinsics& came
   }
 }
 
-void countVotes(const std::vector<PlaneSample>& samples, std::size_t owner_count,
-                const Segmentation& segmentation, const CameraIntrinsics& camera, std::vector<int>& in_view,
-                std::vector<SampleVotes>& votes) {
+void VoteTable::add(std::size_t owner, int plane, float distance) {
+  SampleVotes* const pairs = votes_.data() + first_[owner];
+  int i = 0;
+  while (i < pairs_[owner] && pairs[i].plane != plane) ++i;
+  if (i == pairs_[owner]) {
+    pairs[i] = {plane, 0, 0.0F};
+    ++pairs_[owner];
+  }
+  ++pairs[i].samples;
+  pairs[i].distance += distance;
+}
+
+void VoteTable::count(const std::vector<PlaneSample>& samples, std::size_t owner_count,
+                      const Segmentation& segmentation, const CameraIntrinsics& camera) {
   constexpr float kNearest = 0.01F;  // [m]
-  const std::size_t plane_count = segmentation.planes.size();
-  in_view.assign(owner_count, 0);
-  votes.assign(owner_count * plane_count, SampleVotes{});
+  in_view_.assign(owner_count, 0);
+  pairs_.assign(owner_count, 0);
+  votes_.resize(samples.size());
+  first_.assign(owner_count + 1, 0);
+  for (const PlaneSample& sample : samples) ++first_[static_cast<std::size_t>(sample.owner) + 1];
+  for (std::size_t owner = 0; owner < owner_count; ++owner) first_[owner + 1] += first_[owner];
+
   const auto fx = static_cast<float>(camera.fx), fy = static_cast<float>(camera.fy);
-  // Half a pixel more: then cutting the fraction off rounds.
+  // Half a pixel more: then truncation rounds.
   const auto cx = static_cast<float>(camera.cx + 0.5), cy = static_cast<float>(camera.cy + 0.5);
   const auto width = static_cast<float>(segmentation.width), height = static_cast<float>(segmentation.height);
   for (const PlaneSample& sample : samples) {
@@ -47,15 +62,14 @@ void countVotes(const std::vector<PlaneSample>& samples, std::size_t owner_count
     const float u = fx * p.x() / p.z() + cx, v = fy * p.y() / p.z() + cy;
     if (!(u >= 0.0F && u < width && v >= 0.0F && v < height)) continue;
     const auto owner = static_cast<std::size_t>(sample.owner);
-    ++in_view[owner];
+    ++in_view_[owner];
     const std::size_t pixel = static_cast<std::size_t>(v) * static_cast<std::size_t>(segmentation.width) +
                               static_cast<std::size_t>(u);
-    const std::size_t label = segmentation.labels[pixel];
+    const int label = segmentation.labels[pixel];
     if (label == 0) continue;
-    const SegmentedPlane& plane = segmentation.planes[label - 1];
-    SampleVotes& pair = votes[owner * plane_count + label - 1];
-    ++pair.samples;
-    pair.distance += std::abs(plane.normal.cast<float>().dot(p) + static_cast<float>(plane.d)) / p.z();
+    const SegmentedPlane& plane = segmentation.planes[static_cast<std::size_t>(label) - 1];
+    const float distance = plane.normal.cast<float>().dot(p) + static_cast<float>(plane.d);
+    add(owner, label - 1, std::abs(distance) / p.z());
   }
 }
 

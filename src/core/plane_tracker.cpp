@@ -58,13 +58,13 @@ struct PlaneTracker::Memory {
 
   // Of this image:
   std::vector<std::uint32_t> ids;
-  std::vector<int> track_of;      // of each plane; -1 = none
+  std::size_t tracked = 0;        // its first planes, which are tracked
+  std::vector<int> track_of;      // of each of them; -1 = none
   std::vector<PlaneSample> seen;  // of its planes
   std::vector<int> seen_count;    // of each plane
 
   // Scratch.
-  std::vector<int> in_view;  // samples of each track that are expected within this image
-  std::vector<SampleVotes> votes;
+  VoteTable votes;  // of the samples of each track
   std::vector<Pair> pairs;
   std::vector<PlaneTrack> next_tracks;
   std::vector<PlaneSample> next_samples;
@@ -95,15 +95,15 @@ void PlaneTracker::Memory::matchByOverlap(const std::vector<SegmentedPlane>& pla
   pairs.clear();
   for (std::size_t t = 0; t < tracks.size(); ++t) {
     const double weight = tracks[t].last_seen < last_image ? kLostWeight : 1.0;
-    for (std::size_t k = 0; k < planes.size(); ++k) {
-      const SampleVotes& shared = votes[t * planes.size() + k];
-      if (shared.samples == 0) continue;
+    for (const SampleVotes* shared = votes.begin(t); shared != votes.end(t); ++shared) {
+      const auto k = static_cast<std::size_t>(shared->plane);
+      if (k >= tracked) continue;
       const double overlap =
-          static_cast<double>(shared.samples) / (in_view[t] + seen_count[k] - shared.samples);
+          static_cast<double>(shared->samples) / (votes.inView(t) + seen_count[k] - shared->samples);
       if (overlap < kMinOverlap) continue;
       const double score = agreement(angleBetween(tracks[t].normal, planes[k].normal), max_angle,
-                                     static_cast<double>(shared.distance) / shared.samples, max_distance);
-      if (score > 0.0) pairs.push_back({weight * overlap * score, static_cast<int>(t), static_cast<int>(k)});
+                                     static_cast<double>(shared->distance) / shared->samples, max_distance);
+      if (score > 0.0) pairs.push_back({weight * overlap * score, static_cast<int>(t), shared->plane});
     }
   }
   takeBestPairs();
@@ -111,7 +111,7 @@ void PlaneTracker::Memory::matchByOverlap(const std::vector<SegmentedPlane>& pla
 
 void PlaneTracker::Memory::matchByCoefficients(const std::vector<SegmentedPlane>& planes) {
   pairs.clear();
-  for (std::size_t k = 0; k < planes.size(); ++k) {
+  for (std::size_t k = 0; k < tracked; ++k) {
     if (track_of[k] >= 0) continue;
     const SegmentedPlane& plane = planes[k];
     const double reach = kReach * std::sqrt(plane.area);
@@ -170,7 +170,7 @@ void PlaneTracker::Memory::keepLostTracks(double seconds) {
 
 void PlaneTracker::Memory::addSeenTracks(const std::vector<SegmentedPlane>& planes, double seconds) {
   const std::size_t first = next_tracks.size();
-  for (std::size_t k = 0; k < planes.size(); ++k) {
+  for (std::size_t k = 0; k < tracked; ++k) {
     const SegmentedPlane& plane = planes[k];
     const bool is_new = track_of[k] < 0;
     const PlaneTrack* known = is_new ? nullptr : &tracks[static_cast<std::size_t>(track_of[k])];
@@ -179,11 +179,13 @@ void PlaneTracker::Memory::addSeenTracks(const std::vector<SegmentedPlane>& plan
                            plane.inliers, static_cast<std::size_t>(seen_count[k]), -1});
   }
   for (const PlaneSample& sample : seen) {
+    if (static_cast<std::size_t>(sample.owner) >= tracked) continue;
     next_samples.push_back({sample.point, static_cast<int>(first) + sample.owner});
   }
   passIdsOn(first, next_tracks);
   ids.clear();
   for (std::size_t t = first; t < next_tracks.size(); ++t) ids.push_back(next_tracks[t].id);
+  for (std::size_t k = tracked; k < planes.size(); ++k) ids.push_back(kFirstUntrackedId + planes[k].label);
 }
 
 PlaneTracker::PlaneTracker(const TrackingParameters& parameters) : memory_(std::make_unique<Memory>()) {
@@ -208,15 +210,17 @@ const std::vector<std::uint32_t>& PlaneTracker::track(const Segmentation& segmen
     reset();
     m.ids.clear();
     for (const SegmentedPlane& plane : segmentation.planes) m.ids.push_back(plane.label);
+    m.tracked = m.ids.size();
     return m.ids;
   }
   m.move(motion);
-  m.track_of.assign(segmentation.planes.size(), -1);
+  m.tracked = std::min(segmentation.planes.size(), kMaxTrackedPlanes);
+  m.track_of.assign(m.tracked, -1);
   samplePlanes(segmentation, camera, m.seen, m.seen_count);
-  countVotes(m.samples, m.tracks.size(), segmentation, camera, m.in_view, m.votes);
+  m.votes.count(m.samples, m.tracks.size(), segmentation, camera);
   m.matchByOverlap(segmentation.planes);
   m.matchByCoefficients(segmentation.planes);
-  joinParts(segmentation.planes, m.track_of, m.in_view, m.votes, m.tracks);
+  joinParts(segmentation.planes, m.track_of, m.votes, m.tracks);
   m.keepLostTracks(seconds);
   m.addSeenTracks(segmentation.planes, seconds);
   m.tracks.swap(m.next_tracks);
@@ -224,6 +228,8 @@ const std::vector<std::uint32_t>& PlaneTracker::track(const Segmentation& segmen
   m.last_image = seconds;
   return m.ids;
 }
+
+std::size_t PlaneTracker::untracked() const { return memory_->ids.size() - memory_->tracked; }
 
 void PlaneTracker::reset() {
   memory_->tracks.clear();

@@ -32,13 +32,13 @@ void join(std::uint32_t a, std::uint32_t b, std::vector<PlaneTrack>& tracks) {
 }  // namespace
 
 void joinParts(const std::vector<SegmentedPlane>& planes, const std::vector<int>& track_of,
-               const std::vector<int>& in_view, const std::vector<SampleVotes>& votes,
-               std::vector<PlaneTrack>& tracks) {
+               const VoteTable& votes, std::vector<PlaneTrack>& tracks) {
   for (std::size_t t = 0; t < tracks.size(); ++t) {
     if (tracks[t].plane >= 0) continue;
-    for (std::size_t k = 0; k < planes.size(); ++k) {
-      if (track_of[k] < 0 || !liesIn(tracks[t], in_view[t], planes[k], votes[t * planes.size() + k]))
-        continue;
+    for (const SampleVotes* shared = votes.begin(t); shared != votes.end(t); ++shared) {
+      const auto k = static_cast<std::size_t>(shared->plane);
+      if (k >= track_of.size() || track_of[k] < 0) continue;
+      if (!liesIn(tracks[t], votes.inView(t), planes[k], *shared)) continue;
       join(tracks[t].surface, tracks[static_cast<std::size_t>(track_of[k])].surface, tracks);
     }
   }

@@ -15,11 +15,11 @@ namespace line_plane_segmentation {
 /// Notes which tracks are parts of one surface: those that were planes of their own and lie within one plane
 /// of this image, as far as they would be seen, and in its direction. Whatever is coplanar but never seen
 /// together, as two tables, remains two.
-/// @param in_view,votes  of the tracks' samples in this image
-/// @param track_of       the track of each plane; -1 = it is new
+/// @param planes    of this image that are tracked
+/// @param track_of  the track of each plane; -1 = it is new
+/// @param votes     of the tracks' samples in this image
 void joinParts(const std::vector<SegmentedPlane>& planes, const std::vector<int>& track_of,
-               const std::vector<int>& in_view, const std::vector<SampleVotes>& votes,
-               std::vector<PlaneTrack>& tracks);
+               const VoteTable& votes, std::vector<PlaneTrack>& tracks);
 
 /// Lets the largest part of a surface that is seen in this image have the surface's id. It goes from one that
 /// is seen as well only if that is much smaller; the two then change ids.

@@ -7,6 +7,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <atomic>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
@@ -255,6 +256,45 @@ TEST(WarmTracker, AllocatesNothingHoweverMuchItHasSeen) {
             }),
             0);
   EXPECT_GT(newest, before + 500) << "too few new planes to fill its memory";
+}
+
+// Facets of 5 pixels: 49,152 planes at 1280x960. A matrix of all tracks and all planes would take 19 GB.
+TEST(WarmTracker, NeedsLittleMemoryForMorePlanesThanItTracks) {
+  constexpr int kWidth = 1280, kHeight = 960, kSide = 5;
+  Segmentation facets;
+  facets.width = kWidth;
+  facets.height = kHeight;
+  for (int v = 0; v < kHeight; ++v) {
+    for (int u = 0; u < kWidth; ++u)
+      facets.labels.push_back(static_cast<std::uint16_t>(v / kSide * (kWidth / kSide) + u / kSide + 1));
+  }
+  for (int k = 0; k < kWidth / kSide * (kHeight / kSide); ++k) {
+    SegmentedPlane plane;
+    plane.label = static_cast<std::uint16_t>(k + 1);
+    plane.normal = Eigen::Vector3d(0.1 * std::sin(k), 0.1 * std::cos(k), -1.0).normalized();
+    plane.d = 2.0;
+    plane.centroid = {0.01 * (k % 256), 0.01 * (k / 256), 2.0};
+    plane.area = 1e-4;
+    facets.planes.push_back(plane);
+  }
+  PlaneTracker tracker;
+  std::vector<std::uint32_t> ids[2];
+  const long peak = peakOf([&] {
+    for (int image = 0; image < 4; ++image)
+      ids[image % 2] = tracker.track(facets, kinectCamera(kWidth, kHeight), image / 30.0);
+  });
+  EXPECT_LT(peak, 4 << 20);
+  EXPECT_EQ(facets.planes.size() - kMaxTrackedPlanes, tracker.untracked());
+  EXPECT_EQ(ids[0], ids[1]);
+  EXPECT_EQ(1U, ids[0].front());
+  EXPECT_EQ(kFirstUntrackedId + facets.planes.size(), ids[0].back());
+  std::sort(ids[0].begin(), ids[0].end());
+  EXPECT_EQ(ids[0].end(), std::adjacent_find(ids[0].begin(), ids[0].end())) << "an id twice in one image";
+
+  facets.planes.resize(0);
+  std::fill(facets.labels.begin(), facets.labels.end(), std::uint16_t{0});
+  tracker.track(facets, kinectCamera(kWidth, kHeight), 1.0);
+  EXPECT_EQ(0U, tracker.untracked());
 }
 
 INSTANTIATE_TEST_SUITE_P(Methods, WarmFrame, testing::Values(Method::kPaper, Method::kAdaptive),
