@@ -29,8 +29,8 @@ struct SampleVotes {
   float distance = 0.0F;  ///< sum of their distances from the plane, as fractions of their depths
 };
 
-/// The votes of all owners as a sparse matrix: it holds only the pairs of owner and plane that have a sample in
-/// common, so that its size is bounded by the number of samples, not by owners times planes.
+/// The votes of all owners as a sparse matrix: it holds only the pairs of owner and plane that have a sample
+/// in common, so that its size is bounded by the number of samples, not by owners times planes.
 class VoteTable {
  public:
   /// Projects the samples into the image and looks up the plane at each pixel.

@@ -128,6 +128,7 @@ void FrameProcessor::process(const CameraFrame& frame) {
   const auto outputs_started = std::chrono::steady_clock::now();
   const PublishedPlanes& published = locator_.locate(segmentation, input.camera, segmenter_.header(), places);
   const SegmentedFrame result = segmenter_.result(published);
+  statistics_.untracked(locator_.untracked());
   outputs_.publish(result);
   if (outputs_.scanlinesWanted()) {
     outputs_.publishScanlines(result, segmenter_.lineSegments(), segmenter_.candidates());

@@ -58,6 +58,11 @@ void FrameStatistics::failed(const std::string& problem) {
   sums_.last_problem = problem;
 }
 
+void FrameStatistics::untracked(std::size_t planes) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  sums_.total_untracked += planes;
+}
+
 FrameReport FrameStatistics::take() {
   const std::lock_guard<std::mutex> lock(mutex_);
   FrameReport report = sums_;

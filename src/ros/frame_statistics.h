@@ -38,6 +38,7 @@ struct FrameReport {
   std::uint64_t total_frames = 0;
   std::uint64_t total_failed = 0;
   std::array<std::uint64_t, kRefusalCount> total_refused{};
+  std::uint64_t total_untracked = 0;  ///< planes beyond those that the tracker takes of one image
 
   Refusal last_refusal = Refusal::kNone;  ///< kNone if the last frame was processed
   std::string last_problem;               ///< why the last frame was not processed; empty if it was
@@ -56,6 +57,9 @@ class FrameStatistics {
                  double output_milliseconds, const std::string& frame_id, const std::optional<double>& delay);
   void refused(Refusal refusal, const std::string& explanation, const std::string& frame_id);
   void failed(const std::string& problem);
+
+  /// Counts planes of a frame that have no lasting id.
+  void untracked(std::size_t planes);
 
   /// The report about the time since the last call of this.
   FrameReport take();

@@ -65,6 +65,9 @@ class PlaneLocator {
   const PublishedPlanes& locate(const Segmentation& segmentation, const CameraIntrinsics& camera,
                                 const std_msgs::Header& header, const CameraPlaces& places);
 
+  /// Number of planes of the last image that are too many to be tracked.
+  std::size_t untracked() const { return tracker_.untracked(); }
+
  private:
   std::optional<Eigen::Isometry3d> motionTo(const CameraPlaces& places);
   bool isAnotherTime(const ros::Time& stamp) const;

@@ -114,6 +114,7 @@ void report(const NodeletStatus& status, TimePoint now,
     diagnostics.add(std::string("frames refused: ") + nameOf(static_cast<Refusal>(i)),
                     frames.total_refused[i]);
   }
+  diagnostics.add("planes not tracked", frames.total_untracked);
   diagnostics.addf("planes a frame", "%.2f", frames.planes);
   diagnostics.addf("planes published a frame", "%.2f", frames.published_planes);
   diagnostics.addf("pixels with depth [%]", "%.1f", 100.0 * frames.valid_share);

@@ -51,22 +51,26 @@ TEST(VoteTable, holdsWhatAFullMatrixHolds) {
     constexpr int kOwners = 40;
     for (int i = 0; i < 3000; ++i) {
       const double z = random.uniform(-0.5, 4.0);
-      samples.push_back({Eigen::Vector3d(z * random.uniform(-0.8, 0.8), z * random.uniform(-0.6, 0.6), z).cast<float>(),
-                         static_cast<int>(random.uniform(0.0, kOwners - 1.0))});
+      samples.push_back(
+          {Eigen::Vector3d(z * random.uniform(-0.8, 0.8), z * random.uniform(-0.6, 0.6), z).cast<float>(),
+           static_cast<int>(random.uniform(0.0, kOwners - 1.0))});
     }
     std::map<std::pair<int, int>, std::pair<int, double>> expected;
     std::vector<int> in_view(kOwners, 0);
     for (const PlaneSample& sample : samples) {
       if (sample.point.z() < 0.01F) continue;
-      const int u = static_cast<int>(std::floor(camera.fx * sample.point.x() / sample.point.z() + camera.cx + 0.5));
-      const int v = static_cast<int>(std::floor(camera.fy * sample.point.y() / sample.point.z() + camera.cy + 0.5));
+      const int u =
+          static_cast<int>(std::floor(camera.fx * sample.point.x() / sample.point.z() + camera.cx + 0.5));
+      const int v =
+          static_cast<int>(std::floor(camera.fy * sample.point.y() / sample.point.z() + camera.cy + 0.5));
       if (u < 0 || u >= kWidth || v < 0 || v >= kHeight) continue;
       ++in_view[static_cast<std::size_t>(sample.owner)];
       const int label = image.labels[static_cast<std::size_t>(v) * kWidth + static_cast<std::size_t>(u)];
       if (label == 0) continue;
       auto& [count, distance] = expected[{sample.owner, label - 1}];
       ++count;
-      distance += std::abs(image.planes[static_cast<std::size_t>(label) - 1].d - sample.point.z()) / sample.point.z();
+      distance +=
+          std::abs(image.planes[static_cast<std::size_t>(label) - 1].d - sample.point.z()) / sample.point.z();
     }
 
     VoteTable votes;

@@ -153,6 +153,16 @@ TEST(StatusReport, refusals) {
   expectStatus(status, DiagnosticStatus::ERROR, "calibrate");
 }
 
+TEST(StatusReport, planesThatAreNotTracked) {
+  NodeletStatus status = statusOfWorkingNodelet();
+  EXPECT_EQ("0", valueOf(reportOf(status), "planes not tracked"));
+  FrameStatistics statistics;
+  statistics.untracked(5);
+  statistics.untracked(2);
+  status.frames = statistics.take();
+  EXPECT_EQ("7", valueOf(reportOf(status), "planes not tracked"));
+}
+
 TEST(StatusReport, failures) {
   NodeletStatus status = statusOfWorkingNodelet();
   status.frames.last_problem = "std::bad_alloc";
