@@ -272,8 +272,8 @@ TEST(WarmTracker, NeedsLittleMemoryForMorePlanesThanItTracks) {
     SegmentedPlane plane;
     plane.label = static_cast<std::uint16_t>(k + 1);
     plane.normal = Eigen::Vector3d(0.1 * std::sin(k), 0.1 * std::cos(k), -1.0).normalized();
-    plane.d = 2.0;
     plane.centroid = {0.01 * (k % 256), 0.01 * (k / 256), 2.0};
+    plane.d = -plane.normal.dot(plane.centroid);
     plane.area = 1e-4;
     facets.planes.push_back(plane);
   }
