@@ -15,12 +15,12 @@ namespace {
 
 constexpr Color kNoPlane{150, 150, 150};
 
-// PCL's packing of a colour into the bits of a float.
+// Colour packed into the bits of a float, as PCL's rgb field has it.
 std::uint32_t packed(const Color& color) {
   return static_cast<std::uint32_t>(color.r) << 16 | static_cast<std::uint32_t>(color.g) << 8 | color.b;
 }
 
-// x / z for each column, computed once for all rows.
+// x / z per column, computed once for all rows.
 std::vector<float> slopesOfColumns(const CameraIntrinsics& camera, int width) {
   std::vector<float> slopes(static_cast<std::size_t>(width));
   for (int u = 0; u < width; ++u) {
@@ -59,7 +59,7 @@ sensor_msgs::PointCloud2::Ptr coloredCloud(const SegmentedFrame& frame) {
   const Eigen::Vector3f translation = frame.published.placement.translation().cast<float>();
   for (int v = 0; v < height; ++v) {
     loadRow(frame.depth, v, frame.range, depth.data());
-    // A pixel's point is z (slope_x, slope_y, 1), turned and moved to where the cloud is wanted.
+    // The point of a pixel is z (slope_x, slope_y, 1), transformed into the target frame.
     const auto slope_y = static_cast<float>((v - frame.camera.cy) / frame.camera.fy);
     const Eigen::Vector3f row = rotation * Eigen::Vector3f(0.0F, slope_y, 1.0F);
     for (std::size_t u = 0; u < depth.size(); ++u, ++xyz, ++rgb, ++label) {

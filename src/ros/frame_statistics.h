@@ -17,39 +17,40 @@
 
 namespace line_plane_segmentation {
 
-/// How the frames of some span of time went, and all counts since the beginning.
+/// Statistics of the frames of a time span, and counts since the start.
 struct FrameReport {
-  double seconds = 0.0;  ///< [s] length of the span
+  double seconds = 0.0;  ///< [s] length of the time span
 
-  // Of the span:
-  std::uint64_t frames = 0;       ///< processed
-  double planes = 0.0;            ///< a frame
+  // Of the time span:
+  std::uint64_t frames = 0;       ///< number of processed frames
+  double planes = 0.0;            ///< mean number per frame
   double published_planes = 0.0;  ///< a frame, those with an orientation that is published
-  double valid_share = 0.0;       ///< pixels with a depth in range, 0 to 1
-  double milliseconds = 0.0;      ///< [ms] a frame, segmentation and outputs
-  double max_milliseconds = 0.0;  ///< [ms] the slowest frame
-  std::array<double, kStageCount> stage_milliseconds{};  ///< [ms] a frame
-  double output_milliseconds = 0.0;                      ///< [ms] a frame, making and publishing messages
-  std::uint64_t delays = 0;                              ///< frames whose delay is known
-  double delay = 0.0;                                    ///< [s] a frame, from its stamp to its publishing
-  double max_delay = 0.0;                                ///< [s]
+  double valid_share = 0.0;       ///< mean fraction of pixels with a depth in range, 0 to 1
+  double milliseconds = 0.0;      ///< [ms] mean per frame, segmentation and outputs
+  double max_milliseconds = 0.0;  ///< [ms] slowest frame
+  std::array<double, kStageCount> stage_milliseconds{};  ///< [ms] mean per frame
+  double output_milliseconds = 0.0;  ///< [ms] mean per frame, building and publishing messages
+  std::uint64_t delays = 0;          ///< number of frames with known delay
+  double delay = 0.0;                ///< [s] mean delay from timestamp to publishing
+  double max_delay = 0.0;            ///< [s]
 
-  // Since the beginning:
+  // Since the start:
   std::uint64_t total_frames = 0;
   std::uint64_t total_failed = 0;
   std::array<std::uint64_t, kRefusalCount> total_refused{};
   std::uint64_t total_untracked = 0;  ///< planes beyond those that the tracker takes of one image
 
-  Refusal last_refusal = Refusal::kNone;  ///< kNone if the last frame was processed
+  Refusal last_refusal = Refusal::kNone;  ///< reason for refusing the last frame, kNone if it was processed
   std::string last_problem;               ///< why the last frame was not processed; empty if it was
-  std::string frame_id;                   ///< of the last frame
+  std::string frame_id;                   ///< frame of the last image
 };
 
-/// The time since a stamp [s]; unknown if one of the two is not set, or if they are not of one clock: a bag
-/// that is played without its clock, or a camera that counts from its start.
+/// Returns the time since a timestamp [s]. Empty if one of the two is 0, or if they differ by more than an
+/// hour and thus come from different clocks, for example a bag played without its clock or a camera that
+/// counts from its start.
 std::optional<double> delayOf(const ros::Time& stamp, const ros::Time& now);
 
-/// Counts frames: written by the thread that processes, read by the one that reports.
+/// Counts frames. Written by the processing thread, read by the reporting thread.
 class FrameStatistics {
  public:
   /// @param published_planes  number of the segmentation's planes that were published
@@ -61,14 +62,14 @@ class FrameStatistics {
   /// Counts planes of a frame that have no lasting id.
   void untracked(std::size_t planes);
 
-  /// The report about the time since the last call of this.
+  /// Returns the report of the time since the last call.
   FrameReport take();
 
  private:
   using Clock = std::chrono::steady_clock;
 
   std::mutex mutex_;
-  FrameReport sums_;  // sums of the span, until take() makes means of them
+  FrameReport sums_;  // sums of the time span; take() divides them into means
   Clock::time_point since_ = Clock::now();
 };
 

@@ -11,28 +11,28 @@
 
 namespace line_plane_segmentation {
 
-/// The topics of the results. A message is made only while somebody subscribes to its topic, published
-/// as a shared pointer, so that subscribers in the same process get it without a copy, and not touched
-/// afterwards. Nothing is latched: that would serialise every message.
+/// Publishers of the results. A message is built only while its topic has a subscriber. It is published as
+/// a shared pointer, so that subscribers in the same process receive it without a copy, and never modified
+/// afterwards. No topic is latched, since latching serialises every message.
 ///
 /// wanted() and publish() may be called from any thread.
 class Outputs {
  public:
   /// Advertises all topics.
-  /// @param subscribers_changed  called on the node handle's queue whenever somebody comes or goes, perhaps
-  ///                             before this constructor returns
+  /// @param subscribers_changed  called on the node handle's queue when a subscriber connects or
+  ///         disconnects, possibly before this constructor returns
   Outputs(ros::NodeHandle private_nh, const std::function<void()>& subscribers_changed);
 
-  /// Somebody subscribes to any of them.
+  /// Returns true if any output has a subscriber.
   bool wanted() const;
 
-  /// Somebody subscribes to one that shows the planes' outlines.
+  /// Returns true if an output that contains outlines has a subscriber.
   bool outlinesWanted() const;
 
-  /// Somebody subscribes to the scanlines, which the segmenter makes only when it is asked.
+  /// Returns true if the scanlines have a subscriber. The segmenter computes them on demand only.
   bool scanlinesWanted() const;
 
-  /// Makes and publishes what is wanted, but for the scanlines.
+  /// Builds and publishes all outputs with subscribers, except the scanlines.
   void publish(const SegmentedFrame& frame) const;
 
   void publishScanlines(const SegmentedFrame& frame, const std::vector<LineSegment>& segments,

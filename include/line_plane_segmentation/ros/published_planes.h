@@ -14,27 +14,28 @@
 
 namespace line_plane_segmentation {
 
-/// True if planes of this orientation are published.
+/// Returns true if planes of this orientation are published.
 bool isPublished(const OrientationParameters& parameters, Orientation orientation);
 
-/// A plane as the messages tell of it.
+/// A plane as it is published.
 struct PublishedPlane {
-  SegmentedPlane plane;  ///< in the frame of PublishedPlanes::header; its rings are those of the segmentation
+  SegmentedPlane plane;  ///< in the frame of PublishedPlanes::header; its rings refer to the segmentation
   std::uint32_t id = 0;
   Orientation orientation = Orientation::kUnknown;
 };
 
-/// What is published of the planes of a segmentation, in the frame that the user wants them in.
+/// The published planes of a segmentation, in the target frame.
 struct PublishedPlanes {
-  std_msgs::Header header;                                      ///< the depth image's stamp, and that frame
-  Eigen::Isometry3d placement = Eigen::Isometry3d::Identity();  ///< takes points of the optical frame there
-  std::vector<PublishedPlane> planes;     ///< those whose orientation is wanted, the largest first
-  std::vector<Eigen::Vector3f> vertices;  ///< [m] Segmentation::vertices in that frame
+  std_msgs::Header header;  ///< timestamp of the depth image, and the target frame
+  Eigen::Isometry3d placement =
+      Eigen::Isometry3d::Identity();      ///< maps points of the optical frame to the target frame
+  std::vector<PublishedPlane> planes;     ///< planes of published orientations, largest first
+  std::vector<Eigen::Vector3f> vertices;  ///< [m] Segmentation::vertices in the target frame
 };
 
-/// Fills in `planes` and `vertices`, by the `placement` that is there.
-/// @param ids  of the planes, in the order of segmentation.planes
-/// @param up   unit, in the optical frame; unknown: all orientations are, too
+/// Sets `planes` and `vertices`, using the transform that is already set.
+/// @param ids  ids of the planes, in the order of segmentation.planes
+/// @param up  unit vector in the optical frame; if empty, all orientations are unknown
 void publishPlanes(const Segmentation& segmentation, const std::vector<std::uint32_t>& ids,
                    const std::optional<Eigen::Vector3d>& up, const OrientationParameters& parameters,
                    PublishedPlanes& published);
