@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <boost/make_shared.hpp>
 #include <cmath>
 #include <functional>
@@ -193,6 +194,51 @@ TEST(CloudFrame, isSegmentedAsItsImageIs) {
   for (std::size_t k = 0; k < 2; ++k) {
     EXPECT_NEAR(segmenter.segmentation().planes.at(k).d, other.segmentation().planes.at(k).d, 1e-4);
   }
+}
+
+// The layout of points as drivers have it: the coordinates' order, what stands between them, and the byte
+// order.
+TEST(CloudLayout, takesWhatDriversSend) {
+  struct Layout {
+    const char* what;
+    std::uint32_t x, y, z, point_step, row_padding;
+    bool is_bigendian;
+  };
+  const Layout kLayouts[] = {
+      {"packed", 0, 4, 8, 12, 0, false},        {"with colour", 0, 4, 8, 16, 0, false},
+      {"as PCL has it", 0, 4, 8, 32, 0, false}, {"colour first", 4, 8, 12, 16, 0, false},
+      {"backwards", 8, 4, 0, 12, 0, false},     {"padded rows", 0, 4, 8, 16, 48, false},
+      {"big-endian", 0, 4, 8, 16, 0, true},     {"big-endian, backwards, padded", 9, 5, 1, 15, 7, true}};
+  for (const Layout& layout : kLayouts) {
+    SCOPED_TRACE(layout.what);
+    sensor_msgs::PointCloud2 cloud = testCloud(32, 24);
+    cloud.fields[0].offset = layout.x;
+    cloud.fields[1].offset = layout.y;
+    cloud.fields[2].offset = layout.z;
+    cloud.point_step = layout.point_step;
+    cloud.row_step = cloud.width * cloud.point_step + layout.row_padding;
+    cloud.is_bigendian = layout.is_bigendian ? 1 : 0;
+    cloud.data.assign(std::size_t{cloud.row_step} * cloud.height, 0x55);
+    setPlane(cloud, testCamera(32, 24), Eigen::Vector3d(0.0, 0.0, -1.0), 1.25);
+    std::reverse(cloud.fields.begin(), cloud.fields.end());
+    std::vector<std::uint8_t> depth;
+    const Validation found = validate(cloud, {}, depth);
+    ASSERT_TRUE(found.accepted()) << explain(found.refusal, cloud);
+    EXPECT_NEAR(testCamera(32, 24).fx, found.camera.fx, 1e-3);
+    std::vector<float> row(32);
+    ASSERT_EQ(32, loadRow(found.view, 23, {}, row.data()));
+    EXPECT_FLOAT_EQ(1.25F, row[31]);
+  }
+}
+
+TEST(CloudLayout, namesTheFieldThatIsWrong) {
+  sensor_msgs::PointCloud2 cloud = testCloud(32, 24);
+  cloud.fields[0].datatype = sensor_msgs::PointField::FLOAT64;
+  cloud.fields[1].offset = 1000;
+  cloud.fields[2].name = "intensity";
+  const std::string text = explain(Refusal::kCloudFields, cloud);
+  EXPECT_NE(std::string::npos, text.find("(x is FLOAT64, y lies outside of its point, there is no z)"))
+      << text;
 }
 
 }  // namespace

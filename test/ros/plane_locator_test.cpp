@@ -7,6 +7,7 @@
 
 #include <cmath>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "support/synthetic_depth.h"
@@ -115,6 +116,23 @@ TEST_F(Locator, saysWhatIsLate) {
     EXPECT_FALSE(places_.has(TransformLookup::Answer::kLate));
     look(100.1, 0.0);
     EXPECT_TRUE(places_.has(TransformLookup::Answer::kLate));
+  }
+}
+
+TEST_F(Locator, fallsBackToTheNewestIfToldTo) {
+  putTransform(100.0, pose(0.0));
+  parameters_.frames.target_frame = parameters_.frames.gravity_frame = "world";
+  std_msgs::Header header;
+  header.frame_id = "camera";
+  header.stamp = ros::Time(100.1);
+  for (const std::string fallback : {kNoTransform, kLatestTransform}) {
+    parameters_.frames.tf_fallback = fallback;
+    locator_->setParameters(parameters_);
+    CameraPlaces places = locator_->lookUp(header);
+    ASSERT_FALSE(places.target.found());
+    locator_->fallBack(header, places);
+    EXPECT_EQ(fallback == kLatestTransform, places.target.found());
+    EXPECT_EQ(fallback == kLatestTransform, places.gravity.found());
   }
 }
 
