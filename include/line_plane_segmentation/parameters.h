@@ -18,6 +18,7 @@ struct NoiseParameters {
   double floor = 0.0012;   ///< [m] noise at the nearest distance. Higher -> everything counts as flatter
   double growth = 0.0019;  ///< [1/m] how fast noise grows. Higher -> more tolerance far away
   double nearest = 0.4;    ///< [m] where the noise is least
+  double scale = 0.0;  ///< [-] multiple of this model; 0: as measured in each image, at least 1 and at most 4
 
   double sigma(double z) const { return floor + growth * (z - nearest) * (z - nearest); }
 };
@@ -28,9 +29,6 @@ struct ScanlineParameters {
   double max_range = 10.0;  ///< [m] farther depths count as missing
   int scanline_spacing =
       0;  ///< [px] between scanlines; paper: 30 (VGA), 20 (QVGA). Higher -> faster, misses small planes
-  int fine_spacing =
-      0;  ///< [px] method adaptive: the same where lines are found but no plane, and no clutter. Higher ->
-          ///< faster, misses narrow planes; from scanline_spacing on: nowhere
 };
 
 /// Line regression, Algorithm 1. 0 means: from the image's width.
@@ -90,7 +88,7 @@ struct PatchParameters {
 
 /// Method adaptive: which patches make one plane.
 struct ClusterParameters {
-  double merge_cost = 8.0;     ///< [-] neighbours merge if that moves neither by more, in tolerances squared.
+  double merge_cost = 4.4;     ///< [-] neighbours merge if that moves neither by more, in tolerances squared.
                                ///< Higher -> fewer, larger planes over blunt edges
   double coplanar_cost = 3.5;  ///< [-] the same for planes apart, with an object before the gap; 0 = never.
                                ///< Higher -> more is joined across gaps
@@ -140,10 +138,10 @@ void visitParameters(ParametersType& p, Visitor&& visitor) {
   visitor("noise_floor", p.noise.floor, 1e-5, 0.1);
   visitor("noise_growth", p.noise.growth, 0.0, 0.1);
   visitor("noise_nearest", p.noise.nearest, 0.0, 5.0);
+  visitor("noise_scale", p.noise.scale, 0.0, 100.0);
   visitor("min_range", p.scanlines.min_range, 0.0, 100.0);
   visitor("max_range", p.scanlines.max_range, 0.1, 1000.0);
   visitor("scanline_spacing", p.scanlines.scanline_spacing, 0, 200);
-  visitor("fine_spacing", p.scanlines.fine_spacing, 0, 200);
   visitor("line_window", p.lines.line_window, 0, 101);
   visitor("min_line_points", p.lines.min_line_points, 0, 1000);
   visitor("line_fidelity", p.lines.line_fidelity, 0.01, 1000.0);

@@ -113,8 +113,8 @@ Parameters resolve(const Parameters& parameters, int width) {
   const int w = std::max(width, 1);
   if (p.method == Method::kAdaptive) {
     setIfZero(p.scanlines.scanline_spacing, std::max(4, fromWidth(10, 12, 1.0, w)));
-    setIfZero(p.scanlines.fine_spacing, std::max(2, p.scanlines.scanline_spacing / 2));
-    setIfZero(p.lines.line_window, std::max(5, fromWidth(15, 21, 1.0, w) | 1));
+    setIfZero(p.lines.line_window, std::max(3, p.scanlines.scanline_spacing / 2));
+    setIfZero(p.lines.min_line_points, std::max(2, p.lines.line_window / 2));
     setIfZero(p.extraction.min_plane_inliers, fromWidth(575, 2300, 2.0, w));
   }
   setIfZero(p.cleanup.min_region_pixels, fromWidth(100, 400, 2.0, w));
@@ -136,10 +136,9 @@ bool loadPreset(const std::string& name, Parameters& parameters) {
     parameters.method = Method::kPaper;
   } else if (name == "short_range") {
     parameters = Parameters{};
-    parameters.noise = {0.0007, 0.0, 0.0};  // steps of 1.3 mm, near and far
+    parameters.noise = {0.0007, 0.0, 0.0, 1.0};  // steps of 1.3 mm, near and far
     parameters.scanlines.min_range = 0.1;
     parameters.scanlines.scanline_spacing = 5;
-    parameters.scanlines.fine_spacing = 3;
     parameters.lines.line_window = 5;
     parameters.patches.patch_noise_factor = 1.5;
     parameters.patches.patch_distance = 1e-5;
@@ -161,6 +160,8 @@ bool loadPreset(const std::string& name, Parameters& parameters) {
 
 std::string setParameter(const std::string& name, const std::string& value, Parameters& parameters) {
   std::string problem = "no parameter is named '" + name + "'";
+  if (name == "fine_spacing")
+    problem += " any more: line segments end at the borders of narrow surfaces by themselves";
   visitParameters(parameters, [&](const char* known, auto& field, auto min, auto max) {
     if (name != known) return;
     using T = std::decay_t<decltype(field)>;

@@ -3,19 +3,13 @@
 
 #include <algorithm>
 #include <array>
-#include <optional>
+#include <cmath>
 
-#include "line_plane_segmentation/candidate_detection.h"
-#include "line_plane_segmentation/depth_image.h"
-#include "line_plane_segmentation/label_runs.h"
-#include "line_plane_segmentation/line_extraction.h"
-#include "line_plane_segmentation/outline.h"
-#include "line_plane_segmentation/patch_clustering.h"
-#include "line_plane_segmentation/pixel_assignment.h"
-#include "line_plane_segmentation/plane_extraction.h"
-#include "line_plane_segmentation/plane_measurement.h"
-#include "line_plane_segmentation/region_cleanup.h"
-#include "line_plane_segmentation/surface_patch.h"
+#include "depth/hole_filling.h"
+#include "methods/adaptive_method.h"
+#include "methods/paper_method.h"
+#include "outline/outline.h"
+#include "refine/plane_measurement.h"
 
 namespace line_plane_segmentation {
 namespace {
@@ -31,6 +25,23 @@ void clear(const DepthView& view, Segmentation& result) {
   result.assigned_pixels = 0;
 }
 
+// The width of an image with a Kinect's field of view whose pixels see the same angle: sizes in pixels follow
+// it, so that they stay the same in the view whatever the image's size, field of view or orientation is. A
+// lens with a long focal length sees less, not smaller things; the diagonal bounds it.
+int widthOfSamePixels(const CameraIntrinsics& camera, const DepthImage& depth) {
+  constexpr double kKinectWidth = 640.0, kKinectFocalLength = 525.0, kMaxPerDiagonal = 1.2;
+  const double width = kKinectWidth / kKinectFocalLength * std::sqrt(camera.fx * camera.fy);
+  const double bound = kMaxPerDiagonal * std::hypot(depth.width, depth.height);
+  return std::max(1, static_cast<int>(std::lround(std::min(width, bound))));
+}
+
+// Sets the labels of pixels without depth to 0.
+void clearInvalid(const DepthImage& depth, std::vector<std::uint16_t>& labels) {
+  for (std::size_t i = 0; i < labels.size(); ++i) {
+    if (!(depth.z[i] > 0.0F)) labels[i] = 0;
+  }
+}
+
 class SilentObserver final : public StageObserver {
  public:
   void frameStarted() override {}
@@ -41,73 +52,51 @@ class SilentObserver final : public StageObserver {
 
 struct PlaneSegmenter::Stages {
   Parameters parameters;
-  DepthImage depth;
-  ViewRays rays;
-  LabelRuns runs;
+  Frame frame;
+  HoleFiller hole_filler;
+  bool is_perforated = false;
+  PaperMethod paper;
+  AdaptiveMethod adaptive;
+  LabeledPlanes planes;
   PlaneMeasurement measurement;
   OutlineTracer outlines;
   Segmentation result;
 
-  // What lineSegments() and candidates() show; the adaptive method makes them only when asked.
+  // Of the last frame; described when they are read.
+  const SegmentationMethod* described_method = nullptr;
   std::vector<LineSegment> segments;
   std::vector<PlaneCandidate> candidates;
-  Parameters resolved;  // of the last frame
-  bool is_described = true;
 
-  // Method paper.
-  LineExtractor line_extractor;
-  PlaneExtractor plane_extractor;
-
-  // Method adaptive.
-  PatchDetector patch_detector;
-  PatchLevels patches;
-  std::vector<std::uint8_t> explained;
-  PatchClusterer clusterer;
-  std::vector<PatchCluster> clusters;
-  std::vector<int> cluster_of;
-  PixelAssigner assigner;
-  RegionCleaner cleaner;
-  std::vector<std::optional<PlaneEstimate>> estimates;  // of each label
-
-  // Each fills `runs` with the labels that it found, and returns how many there are.
-  int runPaper(const CameraIntrinsics& camera, StageObserver& observer);
-  int runAdaptive(StageObserver& observer);
+  void load(const DepthView& view, const CameraIntrinsics& camera);
+  void removeFilledPixels();
   void describe();
 };
 
-int PlaneSegmenter::Stages::runPaper(const CameraIntrinsics& camera, StageObserver& observer) {
-  line_extractor.extract(depth, camera, resolved, segments);
-  observer.stageFinished(Stage::kLines);
-  detectCandidates(depth, rays, segments, resolved.candidates, candidates);
-  observer.stageFinished(Stage::kCandidates);
-  std::fill(result.labels.begin(), result.labels.end(), std::uint16_t{0});
-  const int label_count = plane_extractor.extract(depth, rays, candidates, resolved, result.labels);
-  runs.scan(result.labels, depth.width, depth.height);
-  observer.stageFinished(Stage::kExtraction);
-  return label_count;
+// Reads the depth, and prepares all that the stages of a method work on.
+void PlaneSegmenter::Stages::load(const DepthView& view, const CameraIntrinsics& camera) {
+  frame.camera = camera;
+  const DepthRange range{static_cast<float>(parameters.scanlines.min_range),
+                         static_cast<float>(parameters.scanlines.max_range)};
+  result.valid_pixels = loadDepth(view, range, frame.depth);
+  frame.rays.compute(camera, view.width, view.height);
+  const bool is_paper = parameters.method == Method::kPaper;
+  frame.parameters = resolve(parameters, is_paper ? view.width : widthOfSamePixels(camera, frame.depth));
+  is_perforated = !is_paper && hole_filler.fill(frame.parameters, frame.depth);
 }
 
-int PlaneSegmenter::Stages::runAdaptive(StageObserver& observer) {
-  patch_detector.detect(depth, rays, resolved, patches.coarse);
-  is_described = false;
-  observer.stageFinished(Stage::kLines);
-  clusterer.clusterCoarse(patches.coarse, resolved, explained);
-  patch_detector.refine(depth, rays, resolved, explained, patches);
-  clusterer.cluster(depth, rays, patches, resolved, clusters, cluster_of);
-  observer.stageFinished(Stage::kCandidates);
-  assigner.assign(depth, rays, patches, clusters, cluster_of, resolved, runs);
-  observer.stageFinished(Stage::kExtraction);
-  const int label_count = cleaner.clean(depth, rays, clusters, resolved, runs);
-  for (int label = 1; label <= label_count; ++label) {
-    const PatchCluster& cluster = clusters[static_cast<std::size_t>(cleaner.clusterOf(label))];
-    estimates.push_back(cluster.is_narrow ? std::nullopt : std::make_optional(estimatePlane(cluster)));
+// Takes back what was filled in, so that only measured depth counts as part of a plane.
+void PlaneSegmenter::Stages::removeFilledPixels() {
+  if (!is_perforated) return;
+  const std::vector<std::uint8_t>& filled = hole_filler.filled();
+  for (std::size_t i = 0; i < filled.size(); ++i) {
+    if (filled[i] != 0) frame.depth.z[i] = 0.0F;
   }
-  return label_count;
 }
 
 void PlaneSegmenter::Stages::describe() {
-  if (!is_described) describePatches(patches.coarse, rays, resolved, segments, candidates);
-  is_described = true;
+  if (described_method == nullptr) return;
+  described_method->describe(frame, segments, candidates);
+  described_method = nullptr;
 }
 
 const char* nameOf(Stage stage) {
@@ -149,26 +138,32 @@ const Segmentation& PlaneSegmenter::segment(const DepthView& view, const CameraI
   clear(view, s.result);
   s.segments.clear();
   s.candidates.clear();
-  s.is_described = true;
-  s.estimates.clear();
+  s.described_method = nullptr;
   if (view.empty() || !camera.isValid()) {
     std::fill(s.result.labels.begin(), s.result.labels.end(), std::uint16_t{0});
     return s.result;
   }
 
-  s.resolved = resolve(s.parameters, view.width);
-  const DepthRange range{static_cast<float>(s.resolved.scanlines.min_range),
-                         static_cast<float>(s.resolved.scanlines.max_range)};
-  s.result.valid_pixels = loadDepth(view, range, s.depth);
-  s.rays.compute(camera, view.width, view.height);
-
-  const int label_count = s.resolved.method == Method::kPaper ? s.runPaper(camera, stage_observer)
-                                                              : s.runAdaptive(stage_observer);
-  s.measurement.measure(s.depth, s.rays, camera, label_count, s.resolved.extraction.min_plane_area, s.runs,
-                        s.result, s.estimates);
-  s.runs.write(s.result.labels, view.width);
+  s.load(view, camera);
+  SegmentationMethod& method = s.parameters.method == Method::kPaper
+                                   ? static_cast<SegmentationMethod&>(s.paper)
+                                   : static_cast<SegmentationMethod&>(s.adaptive);
+  method.extractLines(s.frame);
+  stage_observer.stageFinished(Stage::kLines);
+  method.detectCandidates(s.frame);
+  stage_observer.stageFinished(Stage::kCandidates);
+  method.extractPlanes(s.frame, s.planes);
+  stage_observer.stageFinished(Stage::kExtraction);
+  method.refine(s.frame, s.planes);
+  s.removeFilledPixels();
+  s.described_method = &method;
+  s.measurement.measure(s.frame.depth, s.frame.rays, camera, s.planes.label_count,
+                        s.frame.parameters.extraction.min_plane_area, s.planes.runs, s.result,
+                        s.planes.estimates, s.is_perforated);
+  s.planes.runs.write(s.result.labels, view.width);
+  if (s.is_perforated) clearInvalid(s.frame.depth, s.result.labels);
   stage_observer.stageFinished(Stage::kRefinement);
-  s.outlines.trace(camera, s.resolved.outlines, s.runs, s.result);
+  s.outlines.trace(camera, s.frame.parameters.outlines, s.planes.runs, s.result);
   stage_observer.stageFinished(Stage::kOutlines);
   return s.result;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "line_plane_segmentation/candidate_detection.h"
+#include "planes/candidate_detection.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "line_plane_segmentation/crease.h"
+#include "refine/crease.h"
 
 #include <gtest/gtest.h>
 
@@ -20,7 +20,15 @@ struct Found : ClusteredImage {
   Creases creases;
 
   explicit Found(const DepthImage& depth) : ClusteredImage(depth, adaptiveParameters(kWidth)) {
-    creases.find(rays, levels.coarse, clusters, coarseClusters());
+    creases.find(rays, grid, clusters, clusterAtCrossings());
+  }
+
+  /// Index of a cluster per crossing of the grid, -1 if none.
+  std::vector<int> clusterAtCrossings() const {
+    std::vector<int> cluster_at(grid.candidate_at.size(), -1);
+    for (std::size_t i = 0; i < grid.candidates.size(); ++i)
+      cluster_at[static_cast<std::size_t>(grid.candidates[i].cell)] = cluster_of[i];
+    return cluster_at;
   }
 };
 
@@ -31,7 +39,7 @@ DepthImage walls(double left_yaw, double right_yaw, double right_distance = 1.8)
 }
 
 /// The sign of what is seen on the left: whether the left wall, continued, lies before the right one there.
-Fold expectedFold(const Found& found) {
+CreaseType expectedFold(const Found& found) {
   const int left = found.at(40, 120), right = found.at(280, 120);
   EXPECT_GE(left, 0);
   EXPECT_GE(right, 0);
@@ -39,7 +47,7 @@ Fold expectedFold(const Found& found) {
   const double x = found.rays.x[40], y = found.rays.y[120];
   const bool left_is_nearer = found.clusters[static_cast<std::size_t>(left)].plane.at(x, y) >
                               found.clusters[static_cast<std::size_t>(right)].plane.at(x, y);
-  return left_is_nearer ? Fold::kInward : Fold::kOutward;
+  return left_is_nearer ? CreaseType::kConcave : CreaseType::kConvex;
 }
 
 TEST(Creases, TellsTheCornerOfARoomFromThatOfABox) {
@@ -50,7 +58,7 @@ TEST(Creases, TellsTheCornerOfARoomFromThatOfABox) {
   EXPECT_EQ(other.creases.between(0, 1), expectedFold(other));
   EXPECT_NE(one.creases.between(0, 1), other.creases.between(0, 1));
   EXPECT_EQ(one.creases.between(1, 0), one.creases.between(0, 1));
-  EXPECT_EQ(one.creases.between(0, 0), Fold::kNone);
+  EXPECT_EQ(one.creases.between(0, 0), CreaseType::kNone);
 }
 
 TEST(Creases, PlanesWithNothingBesideEachOtherDoNotMeet) {
@@ -59,38 +67,38 @@ TEST(Creases, PlanesWithNothingBesideEachOtherDoNotMeet) {
   paint(surfaceAt(1.8, -0.6), kinectCamera(kWidth, kHeight), {200, 320, 0, 240}, depth);
   const Found found(depth);
   ASSERT_EQ(found.clusters.size(), 2U);
-  EXPECT_EQ(found.creases.between(0, 1), Fold::kNone);
+  EXPECT_EQ(found.creases.between(0, 1), CreaseType::kNone);
 }
 
 TEST(Creases, PlanesOnEitherSideOfAStepDoNotMeet) {
   const Found found(walls(0.3, 0.3, 3.0));
   ASSERT_EQ(found.clusters.size(), 2U);
-  EXPECT_EQ(found.creases.between(0, 1), Fold::kNone);
+  EXPECT_EQ(found.creases.between(0, 1), CreaseType::kNone);
 }
 
 /// How the walls of a corner meet, there being so many clusters.
-Fold foldAmong(std::size_t count) {
+CreaseType foldAmong(std::size_t count) {
   const Found corner(walls(0.6, -0.6));
-  std::vector<PatchCluster> clusters(count);
+  std::vector<PlaneCluster> clusters(count);
   clusters[0] = corner.clusters[0];
   clusters[1] = corner.clusters[1];
   Creases creases;
-  creases.find(corner.rays, corner.levels.coarse, clusters, corner.coarseClusters());
+  creases.find(corner.rays, corner.grid, clusters, corner.clusterAtCrossings());
   return creases.between(0, 1);
 }
 
 TEST(Creases, AreFoundAmongUpTo200Clusters) {
-  EXPECT_NE(foldAmong(200), Fold::kNone);
-  EXPECT_EQ(foldAmong(201), Fold::kNone);
+  EXPECT_NE(foldAmong(200), CreaseType::kNone);
+  EXPECT_EQ(foldAmong(201), CreaseType::kNone);
 }
 
 TEST(Creases, OfNothingIsNothing) {
   Creases creases;
-  EXPECT_EQ(creases.between(0, 0), Fold::kNone);
+  EXPECT_EQ(creases.between(0, 0), CreaseType::kNone);
   const Found found(blankDepth(kWidth, kHeight));
-  EXPECT_EQ(found.creases.between(0, 0), Fold::kNone);
-  creases.find(found.rays, PatchGrid{}, {}, {});
-  EXPECT_EQ(creases.between(0, 0), Fold::kNone);
+  EXPECT_EQ(found.creases.between(0, 0), CreaseType::kNone);
+  creases.find(found.rays, CandidateGrid{}, {}, {});
+  EXPECT_EQ(creases.between(0, 0), CreaseType::kNone);
 }
 
 }  // namespace

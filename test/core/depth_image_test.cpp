@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "line_plane_segmentation/depth_image.h"
+#include "depth/depth_image.h"
 
 #include <gtest/gtest.h>
 

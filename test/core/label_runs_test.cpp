@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "line_plane_segmentation/label_runs.h"
+#include "refine/label_runs.h"
 
 #include <gtest/gtest.h>
 

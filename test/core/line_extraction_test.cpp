@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "line_plane_segmentation/line_extraction.h"
+#include "lines/line_extraction.h"
 
 #include <gtest/gtest.h>
 

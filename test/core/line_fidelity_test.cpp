@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "line_plane_segmentation/line_extraction.h"
+#include "lines/line_extraction.h"
 #include "support/random.h"
 #include "support/resolved_parameters.h"
 #include "support/synthetic_scan.h"

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <vector>
 
-#include "line_plane_segmentation/line_extraction.h"
+#include "lines/line_extraction.h"
 #include "support/random.h"
 #include "support/synthetic_scan.h"
 

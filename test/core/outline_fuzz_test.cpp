@@ -6,7 +6,7 @@
 #include "core/outline_checks.h"
 #include "core/outline_images.h"
 #include "core/outline_reference.h"
-#include "line_plane_segmentation/outline.h"
+#include "outline/outline.h"
 #include "support/random.h"
 
 namespace line_plane_segmentation {

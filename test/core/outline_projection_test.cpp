@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "outline_projection.h"
+#include "outline/outline_projection.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 
 #include "core/outline_checks.h"
 #include "core/outline_images.h"
-#include "line_plane_segmentation/outline.h"
+#include "outline/outline.h"
 #include "support/random.h"
 
 namespace line_plane_segmentation {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "line_plane_segmentation/outline.h"
+#include "outline/outline.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "line_plane_segmentation/plane_estimate.h"
+#include "refine/plane_estimate.h"
 
 #include <gtest/gtest.h>
 
@@ -15,8 +15,8 @@ namespace {
 constexpr double kNoise = 0.002;  // [1/m] of the inverse depth
 
 /// A cluster of the pixels of a grid of rays that see the surface, in units of the noise.
-PatchCluster seen(const Surface& surface, double noise, Random& random) {
-  PatchCluster cluster;
+PlaneCluster seen(const Surface& surface, double noise, Random& random) {
+  PlaneCluster cluster;
   for (double x = -0.3; x < 0.31; x += 0.05) {
     for (double y = -0.2; y < 0.21; y += 0.05) {
       const double w = 1.0 / surface.depthAlong(x, y) + noise * random.gaussian();
@@ -26,16 +26,16 @@ PatchCluster seen(const Surface& surface, double noise, Random& random) {
       one.yy = y * y;
       one.x = x;
       one.y = y;
-      one.one = one.pixels = 1.0;
-      one.xw = x * w;
-      one.yw = y * w;
-      one.w = w;
-      one.ww = w * w;
+      one.weight = one.pixels = 1.0;
+      one.x_rho = x * w;
+      one.y_rho = y * w;
+      one.rho = w;
+      one.rho_rho = w * w;
       one.scale(1.0 / (kNoise * kNoise));
       cluster.moments += one;
     }
   }
-  cluster.squared_error = cluster.moments.fit(cluster.plane);
+  EXPECT_TRUE(cluster.moments.fit(cluster.plane, cluster.squared_error));
   return cluster;
 }
 

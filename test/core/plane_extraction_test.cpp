@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "line_plane_segmentation/plane_extraction.h"
+#include "planes/plane_extraction.h"
 
 #include <gtest/gtest.h>
 
@@ -9,11 +9,11 @@
 #include <string>
 #include <vector>
 
-#include "line_plane_segmentation/candidate_detection.h"
-#include "line_plane_segmentation/label_runs.h"
-#include "line_plane_segmentation/line_extraction.h"
-#include "line_plane_segmentation/plane_measurement.h"
+#include "lines/line_extraction.h"
+#include "planes/candidate_detection.h"
 #include "reference_extraction.h"
+#include "refine/label_runs.h"
+#include "refine/plane_measurement.h"
 #include "support/random.h"
 #include "support/resolved_parameters.h"
 #include "support/synthetic_depth.h"

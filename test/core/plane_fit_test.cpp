@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "line_plane_segmentation/plane_fit.h"
+#include "planes/plane_fit.h"
 
 #include <gtest/gtest.h>
 

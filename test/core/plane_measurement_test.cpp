@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "line_plane_segmentation/plane_measurement.h"
+#include "refine/plane_measurement.h"
 
 #include <gtest/gtest.h>
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <iterator>
 
-#include "row_kernels.h"
+#include "kernels/row_kernels.h"
 #include "support/flood_fill.h"
 #include "support/synthetic_depth.h"
 

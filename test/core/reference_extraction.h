@@ -5,10 +5,10 @@
 #include <optional>
 #include <vector>
 
-#include "line_plane_segmentation/depth_image.h"
+#include "depth/depth_image.h"
 #include "line_plane_segmentation/parameters.h"
 #include "line_plane_segmentation/plane_candidate.h"
-#include "line_plane_segmentation/plane_fit.h"
+#include "planes/plane_fit.h"
 
 namespace line_plane_segmentation {
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/region_cleanup_reference.h"
-#include "line_plane_segmentation/region_cleanup.h"
+#include "refine/region_cleanup.h"
 #include "support/clustered_image.h"
 #include "support/random.h"
 #include "support/resolved_parameters.h"
@@ -26,7 +26,7 @@ struct Clutter {
   int width, height;
   DepthImage depth;
   ViewRays rays;
-  std::vector<PatchCluster> clusters;
+  std::vector<PlaneCluster> clusters;
   Labels labels;
   Parameters parameters;
 

@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <map>
 
-#include "line_plane_segmentation/label_runs.h"
+#include "refine/label_runs.h"
 #include "support/flood_fill.h"
 
 namespace line_plane_segmentation {
@@ -17,7 +17,7 @@ constexpr double kMaxMeanError = 2.0;
 
 class Reference {
  public:
-  Reference(const DepthImage& depth, const ViewRays& rays, const std::vector<PatchCluster>& clusters,
+  Reference(const DepthImage& depth, const ViewRays& rays, const std::vector<PlaneCluster>& clusters,
             const Parameters& parameters, const std::vector<std::uint16_t>& labels)
       : depth_(depth), rays_(rays), clusters_(clusters), parameters_(parameters), labels_(labels) {}
 
@@ -122,7 +122,7 @@ class Reference {
 
   const DepthImage& depth_;
   const ViewRays& rays_;
-  const std::vector<PatchCluster>& clusters_;
+  const std::vector<PlaneCluster>& clusters_;
   const Parameters& parameters_;
   const std::vector<std::uint16_t>& labels_;
   std::vector<std::size_t> piece_of_;  // of each pixel, from 1 on
@@ -132,7 +132,7 @@ class Reference {
 }  // namespace
 
 std::vector<std::uint16_t> referenceCleanup(const DepthImage& depth, const ViewRays& rays,
-                                            const std::vector<PatchCluster>& clusters,
+                                            const std::vector<PlaneCluster>& clusters,
                                             const Parameters& parameters,
                                             const std::vector<std::uint16_t>& labels) {
   return Reference(depth, rays, clusters, parameters, labels).clean();

@@ -4,9 +4,9 @@
 #include <cstdint>
 #include <vector>
 
-#include "line_plane_segmentation/depth_image.h"
+#include "depth/depth_image.h"
 #include "line_plane_segmentation/parameters.h"
-#include "line_plane_segmentation/patch_clustering.h"
+#include "planes/plane_clustering.h"
 
 namespace line_plane_segmentation {
 
@@ -14,7 +14,7 @@ namespace line_plane_segmentation {
 /// the labels along its border. The labels of the result are not numbered anew: they stay k + 1 for cluster
 /// k, and no plane is too small.
 std::vector<std::uint16_t> referenceCleanup(const DepthImage& depth, const ViewRays& rays,
-                                            const std::vector<PatchCluster>& clusters,
+                                            const std::vector<PlaneCluster>& clusters,
                                             const Parameters& parameters,
                                             const std::vector<std::uint16_t>& labels);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "line_plane_segmentation/region_cleanup.h"
+#include "refine/region_cleanup.h"
 
 #include <gtest/gtest.h>
 
@@ -21,7 +21,7 @@ const ViewRays kRays = raysOf(kCamera, kWidth, kHeight);
 /// Two walls that meet in the middle of the image, and a label image to be cleaned.
 struct TwoWalls {
   const Surface left = surfaceAt(1.5, 0.4), right = surfaceAt(1.5, -0.4);
-  const std::vector<PatchCluster> clusters = {clusterOf(left), clusterOf(right), clusterOf(surfaceAt(9.0))};
+  const std::vector<PlaneCluster> clusters = {clusterOf(left), clusterOf(right), clusterOf(surfaceAt(9.0))};
   DepthImage depth = blankDepth(kWidth, kHeight);
   std::vector<std::uint16_t> labels = std::vector<std::uint16_t>(kWidth * kHeight, 0);
   Parameters parameters = adaptiveParameters(kWidth);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Each kernel twice: against what its comment says, and against itself compiled without vectors, bit by bit.
-#include "row_kernels.h"
+#include "kernels/row_kernels.h"
 
 #include <gtest/gtest.h>
 
@@ -11,8 +11,8 @@
 #include <cstring>
 #include <vector>
 
-#include "line_plane_segmentation/inverse_depth_plane.h"
-#include "line_plane_segmentation/label_runs.h"
+#include "planes/inverse_depth_plane.h"
+#include "refine/label_runs.h"
 #include "scalar_kernels.h"
 #include "support/random.h"
 

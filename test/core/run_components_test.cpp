@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "run_components.h"
+#include "planes/run_components.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <vector>
 
-#include "row_kernels.h"
+#include "kernels/row_kernels.h"
 #include "support/flood_fill.h"
 #include "support/random.h"
 

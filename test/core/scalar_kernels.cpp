@@ -6,7 +6,7 @@
 #include <cmath>
 #include <cstring>
 
-#include "line_plane_segmentation/label_runs.h"
+#include "refine/label_runs.h"
 
 namespace scalar_twin {
 namespace line_plane_segmentation {
@@ -15,7 +15,7 @@ using namespace ::line_plane_segmentation;  // the types are the same
 
 // What it includes is known by now, but for the choice of machines, which this turns off.
 #define LPS_SCALAR_ONLY
-#include "patch_kernels.cpp"
-#include "row_kernels.cpp"
+#include "kernels/row_kernels.cpp"
+#include "lines/line_kernels.cpp"
 
 }  // namespace scalar_twin

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "patch_kernels.h"
-#include "row_kernels.h"
+#include "kernels/row_kernels.h"
+#include "lines/line_kernels.h"
 
-/// The vectorised functions of row_kernels.h and patch_kernels.h compiled once more, one pixel after the
+/// The vectorised functions of row_kernels.h and line_kernels.h compiled once more, one pixel after the
 /// other and for the plainest of machines.
 namespace scalar_twin {
 namespace line_plane_segmentation {
@@ -18,8 +18,7 @@ decltype(::line_plane_segmentation::appendMarked) appendMarked;
 decltype(::line_plane_segmentation::prepareRow) prepareRow;
 decltype(::line_plane_segmentation::assignIfBetter) assignIfBetter;
 decltype(::line_plane_segmentation::addRun) addRun;
-decltype(::line_plane_segmentation::sumPixels) sumPixels;
-decltype(::line_plane_segmentation::fitCrossings) fitCrossings;
+decltype(::line_plane_segmentation::sumWindows) sumWindows;
 
 }  // namespace line_plane_segmentation
 }  // namespace scalar_twin

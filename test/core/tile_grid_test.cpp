@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "tile_grid.h"
+#include "planes/tile_grid.h"
 
 #include <gtest/gtest.h>
 
@@ -7,8 +7,8 @@
 #include <cmath>
 #include <vector>
 
-#include "line_plane_segmentation/plane_fit.h"
-#include "row_kernels.h"
+#include "kernels/row_kernels.h"
+#include "planes/plane_fit.h"
 #include "support/flood_fill.h"
 #include "support/random.h"
 #include "support/synthetic_depth.h"

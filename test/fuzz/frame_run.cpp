@@ -5,8 +5,8 @@
 
 #include <boost/make_shared.hpp>
 
+#include "depth/depth_image.h"
 #include "drawn_parameters.h"
-#include "line_plane_segmentation/depth_image.h"
 #include "output_checks.h"
 #include "support/segmentation_checks.h"
 

@@ -1,25 +1,37 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "support/clustered_image.h"
 
-#include "support/synthetic_depth.h"
+#include <algorithm>
 
 namespace line_plane_segmentation {
 
-PatchCluster clusterOf(const Surface& surface) {
-  PatchCluster cluster;
+PlaneCluster clusterOf(const Surface& surface) {
+  PlaneCluster cluster;
   cluster.plane = {-surface.normal.x() / surface.d, -surface.normal.y() / surface.d,
                    -surface.normal.z() / surface.d};
   return cluster;
 }
 
-ClusteredImage::ClusteredImage(const DepthImage& depth, const Parameters& parameters)
+CandidateImage::CandidateImage(const DepthImage& depth, const Parameters& parameters)
     : rays(raysOf(kinectCamera(depth.width, depth.height), depth.width, depth.height)) {
-  PatchDetector detector;
-  PatchClusterer clusterer;
-  detector.detect(depth, rays, parameters, levels.coarse);
-  clusterer.clusterCoarse(levels.coarse, parameters, explained);
-  detector.refine(depth, rays, parameters, explained, levels);
-  clusterer.cluster(depth, rays, levels, parameters, clusters, cluster_of);
+  WindowSummer().sum(depth, rays, parameters.scanlines.scanline_spacing, parameters.lines.line_window, rows,
+                     columns);
+  LineGrower grower;
+  grower.grow(rays.y, parameters, rows);
+  grower.grow(rays.x, parameters, columns);
+  CrossingDetector().detect(rays, rows, columns, parameters, grid);
+}
+
+int CandidateImage::candidateAt(int u, int v) const {
+  if (grid.crossings() == 0) return -1;
+  const int column = std::min(u / grid.spacing, grid.columns - 1),
+            row = std::min(v / grid.spacing, grid.rows - 1);
+  return grid.candidate_at[static_cast<std::size_t>(grid.indexOf(column, row))];
+}
+
+ClusteredImage::ClusteredImage(const DepthImage& depth, const Parameters& parameters)
+    : CandidateImage(depth, parameters) {
+  PlaneClusterer().cluster(depth, rays, grid, parameters, clusters, cluster_of);
 }
 
 }  // namespace line_plane_segmentation

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "line_plane_segmentation/depth_image.h"
+#include "depth/depth_image.h"
 #include "line_plane_segmentation/segmentation.h"
 
 namespace line_plane_segmentation {

@@ -5,8 +5,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "depth/depth_image.h"
 #include "line_plane_segmentation/camera_intrinsics.h"
-#include "line_plane_segmentation/depth_image.h"
 #include "line_plane_segmentation/parameters.h"
 #include "support/random.h"
 

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "line_plane_segmentation/parameters.h"
-#include "line_plane_segmentation/scanline.h"
+#include "lines/scanline.h"
 #include "support/random.h"
 
 /// 2-D scans of a few straight pieces, made for tests.

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "depth/depth_image.h"
+#include "line_plane_segmentation/parameters.h"
+
+namespace line_plane_segmentation {
+
+/// Fills small holes of a perforated depth image: one with many holes that a surface continues behind, such
+/// as the lattice that registration to a colour image leaves, missing bands, or speckle. Without it, every
+/// plane would fall apart into connected components of a few pixels.
+class HoleFiller {
+ public:
+  /// Fills holes of a perforated image by linear interpolation of the inverse depth along the row, or else
+  /// along the column, between pixels that agree within the noise. Leaves any other image unchanged.
+  /// @param parameters  resolved; holes are filled up to 1.5 times the scanline spacing
+  /// @return whether the image is perforated
+  bool fill(const Parameters& parameters, DepthImage& depth);
+
+  /// 1 for each pixel that the last fill() filled, else 0; valid if it returned true.
+  const std::vector<std::uint8_t>& filled() const { return filled_; }
+
+ private:
+  void fillLine(float* first, std::uint8_t* filled, std::ptrdiff_t stride, int count);
+
+  int max_hole_ = 0;
+  NoiseParameters noise_;
+  double noise_factor_ = 0.0;
+  std::vector<std::uint8_t> filled_;
+};
+
+}  // namespace line_plane_segmentation

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lines/line_growing.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "planes/inverse_depth_plane.h"
+
+namespace line_plane_segmentation {
+namespace {
+
+// [-] maximum mean squared error of a straight window, in tolerances squared: twice the expectation, since
+// the noise of neighbouring pixels is correlated.
+constexpr double kStraight = 2.0;
+
+// Bound of the added squared error of two neighbours, in tolerances squared. The first term is the noise's:
+// the 99 % quantile of chi-squared with two degrees of freedom (9.2) times the number of pixels that share
+// their error (kCorrelatedPixels of plane_estimate.cpp), which makes 110 sigma_z² or 43 tolerances²; halved,
+// since a missing join costs nothing where a crossing scanline connects both pieces. The second is the
+// sensor's distortion: one tolerance per pixel of the smaller piece.
+constexpr double kNoiseError = 20.0, kDistortionError = 1.0;
+
+constexpr int kMaxHole = 3;  // [windows] a segment continues after a hole one window shorter
+
+}  // namespace
+
+void LineGrower::listWindows(const ScanlineSet& set, int scanline, double across,
+                             const Parameters& parameters) {
+  const DepthTolerance tolerance{parameters.noise, parameters.patches.patch_noise_factor,
+                                 parameters.patches.patch_distance};
+  // The plane through the line that comes nearest to the camera is as far away as the line is in its scan.
+  const double inv_k2 = 1.0 / (1.0 + across * across);
+  nodes_.clear();
+  for (int i = 0; i < set.windows; ++i) {
+    const LineSums& sums = set.sums[set.indexOf(scanline, i)];
+    if (!(sums.n >= kMinLinePixels)) continue;
+    const InverseDepthLine line = fitInverseDepthLine(sums);
+    const double inverse_distance = std::sqrt(line.slope * line.slope + line.offset * line.offset * inv_k2);
+    const double bound = tolerance.at(sums.rho / sums.n, inverse_distance);
+    const bool is_straight = line.squared_error <= kStraight * bound * bound * sums.n;
+    nodes_.push_back({i, is_straight ? i : -1, sums, line.squared_error, bound * bound});
+  }
+}
+
+// Merges neighbours, from the start of the scanline, whose merging adds less than this fraction of the bound.
+void LineGrower::mergeNeighbors(double fraction) {
+  std::size_t kept = 0;
+  for (const Node& node : nodes_) {
+    Node* before = kept > 0 ? &nodes_[kept - 1] : nullptr;
+    if (before != nullptr && before->last >= 0 && node.last >= 0 && node.first - before->last <= kMaxHole) {
+      const LineSums sums = before->sums + node.sums;
+      const double squared_error = fitInverseDepthLine(sums).squared_error;
+      const double bound = (kNoiseError + kDistortionError * std::min(before->sums.n, node.sums.n)) *
+                           std::min(before->tolerance2, node.tolerance2);
+      if (squared_error - before->squared_error - node.squared_error < fraction * bound) {
+        const double tolerance2 =
+            (before->tolerance2 * before->sums.n + node.tolerance2 * node.sums.n) / sums.n;
+        *before = {before->first, node.last, sums, squared_error, tolerance2};
+        continue;
+      }
+    }
+    nodes_[kept++] = node;
+  }
+  nodes_.resize(kept);
+}
+
+void LineGrower::grow(const std::vector<float>& across, const Parameters& parameters, ScanlineSet& set) {
+  set.segments.clear();
+  set.segment_of.assign(set.sums.size(), -1);
+  for (int k = 0; k < set.count(); ++k) {
+    listWindows(set, k, across[static_cast<std::size_t>(set.pixels[static_cast<std::size_t>(k)])],
+                parameters);
+    // What is most alike grows together before anything doubtful is compared.
+    for (const double fraction : {1.0 / 8, 1.0, 1.0}) mergeNeighbors(fraction);
+    for (const Node& node : nodes_) {
+      if (node.last < 0 || node.sums.n < parameters.lines.min_line_points) continue;
+      const auto at = set.segment_of.begin() + static_cast<std::ptrdiff_t>(set.indexOf(k, 0));
+      std::fill(at + node.first, at + node.last + 1, static_cast<int>(set.segments.size()));
+      set.segments.push_back({k, node.first, node.last, node.sums, node.squared_error, node.tolerance2});
+    }
+  }
+}
+
+void NoiseMeter::collect(const ScanlineSet& set, const NoiseParameters& noise) {
+  constexpr int kWindows =
+      2;  // of a piece: longer than the noise is correlated, short enough for most surfaces
+  constexpr double kMinFilled = 0.7;
+  for (int k = 0; k < set.count(); k += 2) {
+    const LineSums* sums = set.sums.data() + set.indexOf(k, 0);
+    for (int i = 0; i + 3 * kWindows <= set.windows; i += kWindows) {
+      const LineSums a = sums[i] + sums[i + 1], b = sums[i + 2] + sums[i + 3], c = sums[i + 4] + sums[i + 5];
+      if (!(std::min({a.n, b.n, c.n}) >= kMinFilled * kWindows * set.window)) continue;
+      const double ta = a.t / a.n, tb = b.t / b.n, tc = c.t / c.n;
+      const double between = (tb - ta) / (tc - ta), rho = b.rho / b.n;
+      const double error = rho - (1.0 - between) * a.rho / a.n - between * c.rho / c.n;
+      const double sigma = noise.sigma(1.0 / rho) * rho * rho;
+      deviations_.push_back(static_cast<float>(error * error / (sigma * sigma)));
+    }
+  }
+}
+
+double NoiseMeter::ratio(const ScanlineSet& rows, const ScanlineSet& columns, const NoiseParameters& noise) {
+  // The median of chi-squared with one degree of freedom, times the variance of the deviation, in sigma_z²,
+  // in simulated images with a Kinect's noise (test/core/line_growing_test.cpp).
+  constexpr double kMedian = 0.455, kKinectVariance = 1.05;
+  constexpr std::size_t kFewest = 20;
+  deviations_.clear();
+  collect(rows, noise);
+  collect(columns, noise);
+  if (deviations_.size() < kFewest) return 1.0;
+  const auto middle = deviations_.begin() + static_cast<std::ptrdiff_t>(deviations_.size() / 2);
+  std::nth_element(deviations_.begin(), middle, deviations_.end());
+  return std::sqrt(static_cast<double>(*middle) / (kMedian * kKinectVariance));
+}
+
+}  // namespace line_plane_segmentation

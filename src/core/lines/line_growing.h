@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <vector>
+
+#include "line_plane_segmentation/parameters.h"
+#include "lines/scanline_set.h"
+
+namespace line_plane_segmentation {
+
+/// Fewest valid pixels of a window that is part of a segment.
+constexpr double kMinLinePixels = 2.0;
+
+/// Stage "lines" of the default method: grows line segments along rows and columns of the image.
+///
+/// The paper slides a window along a scanline, compares the lines of adjacent windows, and joins runs of
+/// alike windows (Algorithm 1). Here the windows lie side by side, and segments grow by merging neighbours
+/// along the scanline, those first whose merging adds the least squared error. Two neighbours are one line if
+/// the added error is explained by noise or by the sensor's low-frequency distortion. A segment continues
+/// after a hole of up to three windows.
+class LineGrower {
+ public:
+  /// Fills `segments` and `segment_of` of a set whose windows are summed.
+  /// @param across  ray coordinates across the scanlines: ViewRays::y for rows, ViewRays::x for columns
+  void grow(const std::vector<float>& across, const Parameters& parameters, ScanlineSet& set);
+
+ private:
+  /// A segment while it grows. A window that is not straight has last = -1 and separates its neighbours.
+  struct Node {
+    int first, last;
+    LineSums sums;
+    double squared_error, tolerance2;
+  };
+
+  void listWindows(const ScanlineSet& set, int scanline, double across, const Parameters& parameters);
+  void mergeNeighbors(double fraction);
+
+  std::vector<Node> nodes_;  // of one scanline
+};
+
+/// Estimates the depth noise of an image from windows of its scanlines.
+class NoiseMeter {
+ public:
+  /// Returns the ratio of the noise in the image to the noise model (Eq. 5), from the median distance of a
+  /// piece of a scanline from the line through its two neighbours, in both sets. Returns 1 if there are fewer
+  /// than 20 such pieces.
+  double ratio(const ScanlineSet& rows, const ScanlineSet& columns, const NoiseParameters& noise);
+
+ private:
+  void collect(const ScanlineSet& set, const NoiseParameters& noise);
+
+  std::vector<float> deviations_;  // [sigma_z²] squared
+};
+
+/// The segments as the paper describes them: polar form (Eq. 1-3), covariance, end points and points.
+/// Appends to `segments`.
+void describeSegments(const DepthImage& depth, const ViewRays& rays, const ScanlineSet& set,
+                      std::vector<LineSegment>& segments);
+
+}  // namespace line_plane_segmentation

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <algorithm>
+
+namespace line_plane_segmentation {
+
+/// Sums over the pixels of a piece of a scanline that have a depth, from which a line is fitted in constant
+/// time: of their number, of the ray coordinate t along the scanline, and of the inverse depth rho = 1/z.
+/// The scan of a plane is the line rho = slope t + offset.
+struct LineSums {
+  double n = 0.0, t = 0.0, tt = 0.0, rho = 0.0, t_rho = 0.0, rho_rho = 0.0;
+
+  LineSums operator+(const LineSums& o) const {
+    return {n + o.n, t + o.t, tt + o.tt, rho + o.rho, t_rho + o.t_rho, rho_rho + o.rho_rho};
+  }
+};
+
+/// The line rho = slope t + offset through pixels, by linear regression.
+struct InverseDepthLine {
+  double slope = 0.0, offset = 0.0;
+  double squared_error = 0.0;  ///< [1/m²] sum over the pixels
+};
+
+/// Fits the line. Pixels at one single t have the slope 0; without pixels all is 0.
+inline InverseDepthLine fitInverseDepthLine(const LineSums& sums) {
+  if (!(sums.n > 0.0)) return {};
+  const double inv_n = 1.0 / sums.n;
+  const double ctt = sums.tt - sums.t * sums.t * inv_n, ctr = sums.t_rho - sums.t * sums.rho * inv_n;
+  const double crr = sums.rho_rho - sums.rho * sums.rho * inv_n;
+  const double slope = ctt > 0.0 ? ctr / ctt : 0.0;
+  return {slope, (sums.rho - slope * sums.t) * inv_n, std::max(0.0, crr - slope * ctr)};
+}
+
+}  // namespace line_plane_segmentation

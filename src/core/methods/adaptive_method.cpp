@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "methods/adaptive_method.h"
+
+#include <algorithm>
+
+namespace line_plane_segmentation {
+namespace {
+
+// Bounds of the measured noise, as a multiple of the model. The model is the lower one: an image can be
+// smoother than its sensor's noise, as in-painted ones are, but its errors are not smaller.
+constexpr double kMinNoiseRatio = 1.0, kMaxNoiseRatio = 4.0;
+
+}  // namespace
+
+void AdaptiveMethod::extractLines(Frame& frame) {
+  Parameters& p = frame.parameters;
+  window_summer_.sum(frame.depth, frame.rays, p.scanlines.scanline_spacing, p.lines.line_window, rows_,
+                     columns_);
+  const double scale = p.noise.scale > 0.0 ? p.noise.scale
+                                           : std::clamp(noise_meter_.ratio(rows_, columns_, p.noise),
+                                                        kMinNoiseRatio, kMaxNoiseRatio);
+  p.noise.floor *= scale;
+  p.noise.growth *= scale;
+  line_grower_.grow(frame.rays.y, p, rows_);
+  line_grower_.grow(frame.rays.x, p, columns_);
+}
+
+void AdaptiveMethod::detectCandidates(const Frame& frame) {
+  crossing_detector_.detect(frame.rays, rows_, columns_, frame.parameters, grid_);
+}
+
+void AdaptiveMethod::extractPlanes(const Frame& frame, LabeledPlanes& planes) {
+  clusterer_.cluster(frame.depth, frame.rays, grid_, frame.parameters, clusters_, cluster_of_);
+  assigner_.assign(frame.depth, frame.rays, grid_, clusters_, cluster_of_, frame.parameters, planes.runs);
+}
+
+void AdaptiveMethod::refine(const Frame& frame, LabeledPlanes& planes) {
+  planes.label_count = cleaner_.clean(frame.depth, frame.rays, clusters_, frame.parameters, planes.runs);
+  planes.estimates.clear();
+  for (int label = 1; label <= planes.label_count; ++label) {
+    const PlaneCluster& cluster = clusters_[static_cast<std::size_t>(cleaner_.clusterOf(label))];
+    planes.estimates.push_back(cluster.is_narrow ? std::nullopt : std::make_optional(estimatePlane(cluster)));
+  }
+}
+
+void AdaptiveMethod::describe(const Frame& frame, std::vector<LineSegment>& segments,
+                              std::vector<PlaneCandidate>& candidates) const {
+  segments.clear();
+  describeSegments(frame.depth, frame.rays, rows_, segments);
+  describeSegments(frame.depth, frame.rays, columns_, segments);
+  candidates.clear();
+  for (const CrossingCandidate& candidate : grid_.candidates) candidates.push_back(candidate.describe());
+}
+
+}  // namespace line_plane_segmentation

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "planes/coplanar_merging.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <cstdlib>
+#include <limits>
+#include <tuple>
+
+namespace line_plane_segmentation {
+namespace {
+
+constexpr std::size_t kMaxPlanes = 100;  // all pairs of the largest ones are compared: bounds the time
+
+// Whether at most a quarter of the pixels on the straight line between two candidates are behind the plane.
+bool isOccludedBetween(const CrossingCandidate& from, const CrossingCandidate& to,
+                       const InverseDepthPlane& plane, const DepthImage& depth, const ViewRays& rays,
+                       const Parameters& parameters) {
+  const double inverse_distance = plane.inverseDistance();
+  const DepthTolerance tolerance{parameters.noise, 2.0 * parameters.extraction.distance_noise_factor,
+                                 2.0 * parameters.extraction.plane_distance};
+  const int du = to.u - from.u, dv = to.v - from.v;
+  const int steps = std::max(std::abs(du), std::abs(dv));
+  int behind = 0;
+  for (int k = 0; k < steps; ++k) {
+    const int u = from.u + du * k / steps, v = from.v + dv * k / steps;
+    const float z = depth.at(u, v);
+    if (!(z > 0.0F)) continue;
+    const double rho = 1.0 / static_cast<double>(z);
+    const double expected = plane.at(static_cast<double>(rays.x[static_cast<std::size_t>(u)]),
+                                     static_cast<double>(rays.y[static_cast<std::size_t>(v)]));
+    if (expected - rho > tolerance.at(rho, inverse_distance)) ++behind;
+  }
+  return 4 * behind < steps;
+}
+
+}  // namespace
+
+void CoplanarMerger::listPairs(const MergeTree& tree, const std::vector<int>& planes, double limit) {
+  pairs_.clear();
+  for (std::size_t i = 0; i < planes.size(); ++i) {
+    for (std::size_t j = i + 1; j < planes.size(); ++j) {
+      MergeTree::Node both;
+      if (!tree.combine(planes[i], planes[j], both)) continue;
+      const double cost = tree.costOf(planes[i], planes[j], both);
+      if (cost < limit) pairs_.push_back({cost, static_cast<int>(i), static_cast<int>(j)});
+    }
+  }
+  std::sort(pairs_.begin(), pairs_.end(), [](const Pair& p, const Pair& q) {
+    return std::tie(p.cost, p.a, p.b) < std::tie(q.cost, q.a, q.b);
+  });
+}
+
+// The candidate of a plane that is nearest in the image to another candidate.
+int CoplanarMerger::nearest(const CandidateGrid& grid, int plane, int to) const {
+  const auto at = [&grid](int i) -> const CrossingCandidate& {
+    return grid.candidates[static_cast<std::size_t>(i)];
+  };
+  const std::vector<int>& candidates = candidates_[static_cast<std::size_t>(plane)];
+  int nearest = candidates.front();
+  std::int64_t least = std::numeric_limits<std::int64_t>::max();
+  for (const int i : candidates) {
+    const std::int64_t du = at(i).u - at(to).u, dv = at(i).v - at(to).v;
+    if (du * du + dv * dv >= least) continue;
+    nearest = i;
+    least = du * du + dv * dv;
+  }
+  return nearest;
+}
+
+void CoplanarMerger::merge(const DepthImage& depth, const ViewRays& rays, const CandidateGrid& grid,
+                           const Parameters& parameters, MergeTree& tree, std::vector<int>& planes) {
+  const double limit = parameters.clusters.coplanar_cost;
+  if (!(limit > 0.0) || planes.size() < 2) return;
+  // The largest first; those beyond the limit are not compared.
+  std::sort(planes.begin(), planes.end(), [&tree](int a, int b) {
+    const int more = tree.node(a).candidates, fewer = tree.node(b).candidates;
+    return more != fewer ? more > fewer : a < b;
+  });
+  std::vector<int>& compared = compared_;
+  compared.assign(planes.begin(),
+                  planes.begin() + static_cast<std::ptrdiff_t>(std::min(kMaxPlanes, planes.size())));
+  listPairs(tree, compared, limit);
+  if (pairs_.empty()) return;
+
+  candidates_.resize(std::max(candidates_.size(), compared.size()));
+  merged_into_.clear();
+  for (std::size_t i = 0; i < compared.size(); ++i) {
+    merged_into_.push_back(static_cast<int>(i));
+    candidates_[i] = tree.candidatesOf(compared[i]);
+  }
+  const auto find = [this](int i) {
+    while (merged_into_[static_cast<std::size_t>(i)] != i) i = merged_into_[static_cast<std::size_t>(i)];
+    return i;
+  };
+  const auto at = [&grid](int i) -> const CrossingCandidate& {
+    return grid.candidates[static_cast<std::size_t>(i)];
+  };
+  for (const Pair& pair : pairs_) {
+    const int a = find(pair.a), b = find(pair.b);
+    if (a == b) continue;
+    int& first = compared[static_cast<std::size_t>(a)];
+    const int second = compared[static_cast<std::size_t>(b)];
+    MergeTree::Node both;
+    if (!tree.combine(first, second, both) || !(tree.costOf(first, second, both) < limit)) continue;
+    const int from = nearest(grid, a, candidates_[static_cast<std::size_t>(b)].front());
+    const int to = nearest(grid, b, from);
+    if (!isOccludedBetween(at(from), at(to), both.plane, depth, rays, parameters)) continue;
+    first = tree.merge(first, second, both);
+    merged_into_[static_cast<std::size_t>(b)] = a;
+    std::vector<int>& all = candidates_[static_cast<std::size_t>(a)];
+    const std::vector<int>& more = candidates_[static_cast<std::size_t>(b)];
+    all.insert(all.end(), more.begin(), more.end());
+  }
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < planes.size(); ++i) {
+    if (i >= compared.size())
+      planes[kept++] = planes[i];
+    else if (merged_into_[i] == static_cast<int>(i))
+      planes[kept++] = compared[i];
+  }
+  planes.resize(kept);
+}
+
+}  // namespace line_plane_segmentation

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <vector>
+
+#include "planes/merge_tree.h"
+
+namespace line_plane_segmentation {
+
+/// Merges planes that lie apart in one plane and have only nearer surfaces between them: a table that the
+/// objects on it occlude, but not two surfaces with open space between.
+class CoplanarMerger {
+ public:
+  /// @param tree    of the candidates of `grid`; merged planes are appended to it
+  /// @param planes  nodes of the tree; a merged plane replaces the two that it was made from
+  void merge(const DepthImage& depth, const ViewRays& rays, const CandidateGrid& grid,
+             const Parameters& parameters, MergeTree& tree, std::vector<int>& planes);
+
+ private:
+  /// Two planes, by their indices in `planes`.
+  struct Pair {
+    double cost;
+    int a, b;
+  };
+
+  void listPairs(const MergeTree& tree, const std::vector<int>& planes, double limit);
+  int nearest(const CandidateGrid& grid, int plane, int to) const;
+
+  std::vector<Pair> pairs_;
+  std::vector<int> compared_;                 // the planes compared, as they become
+  std::vector<std::vector<int>> candidates_;  // of each plane compared
+  std::vector<int> merged_into_;              // index in `planes` per plane, itself at first
+};
+
+}  // namespace line_plane_segmentation

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "planes/crossing_candidates.h"
+
+#include <cmath>
+
+namespace line_plane_segmentation {
+namespace {
+
+// Fewest windows of both segments around a crossing, and valid pixels of each: fewer hardly constrain a
+// plane.
+constexpr int kMinWindows = 3;
+constexpr double kMinPixels = 3.0;
+
+// The windows of the segment `id` at and beside a window of a scanline.
+LineSums sumAround(const ScanlineSet& set, int scanline, int window, int id, int& windows) {
+  LineSums sums;
+  for (int i = std::max(0, window - 1); i <= std::min(set.windows - 1, window + 1); ++i) {
+    const std::size_t index = set.indexOf(scanline, i);
+    if (set.segment_of[index] != id) continue;
+    sums = sums + set.sums[index];
+    ++windows;
+  }
+  return sums;
+}
+
+// The moments of the pixels of a row and of a column, which cross at the ray (x, y).
+RegressionMoments momentsOf(const LineSums& row, const LineSums& column, double x, double y) {
+  const double n = row.n + column.n;
+  return {row.tt + x * x * column.n,
+          y * row.t + x * column.t,
+          y * y * row.n + column.tt,
+          row.t + x * column.n,
+          y * row.n + column.t,
+          n,
+          row.t_rho + x * column.rho,
+          y * row.rho + column.t_rho,
+          row.rho + column.rho,
+          row.rho_rho + column.rho_rho,
+          n};
+}
+
+}  // namespace
+
+PlaneCandidate CrossingCandidate::describe() const {
+  PlaneCandidate candidate;
+  candidate.u = u;
+  candidate.v = v;
+  candidate.d = 1.0 / plane.inverseDistance();
+  candidate.normal = -candidate.d * Eigen::Vector3d(plane.a, plane.b, plane.c);
+  return candidate;
+}
+
+void CrossingDetector::detect(const ViewRays& rays, const ScanlineSet& rows, const ScanlineSet& columns,
+                              const Parameters& parameters, CandidateGrid& grid) {
+  grid.spacing = parameters.scanlines.scanline_spacing;
+  grid.columns = columns.count();
+  grid.rows = rows.count();
+  grid.candidates.clear();
+  grid.links.clear();
+  grid.candidate_at.assign(static_cast<std::size_t>(grid.crossings()), -1);
+  const DepthTolerance tolerance{parameters.noise, parameters.patches.patch_noise_factor,
+                                 parameters.patches.patch_distance};
+  for (int r = 0; r < grid.rows; ++r) {
+    const int v = rows.pixels[static_cast<std::size_t>(r)];
+    const double y = static_cast<double>(rays.y[static_cast<std::size_t>(v)]);
+    int left = -1, left_segment = -1;  // the candidate before, and its row segment
+    for (int c = 0; c < grid.columns; ++c) {
+      const int u = columns.pixels[static_cast<std::size_t>(c)];
+      const int row_window = rows.windowAt(u), column_window = columns.windowAt(v);
+      const int row_segment = rows.segment_of[rows.indexOf(r, row_window)];
+      const int column_segment = columns.segment_of[columns.indexOf(c, column_window)];
+      const int before = left;
+      left = -1;
+      if (row_segment < 0 || column_segment < 0) continue;
+      int windows = 0;
+      const LineSums row = sumAround(rows, r, row_window, row_segment, windows);
+      const LineSums column = sumAround(columns, c, column_window, column_segment, windows);
+      if (windows < kMinWindows || row.n < kMinPixels || column.n < kMinPixels) continue;
+
+      CrossingCandidate candidate;
+      candidate.moments = momentsOf(row, column, static_cast<double>(rays.x[static_cast<std::size_t>(u)]), y);
+      if (!candidate.moments.fit(candidate.plane, candidate.squared_error)) continue;
+      const double bound =
+          tolerance.at(candidate.moments.rho / candidate.moments.weight, candidate.plane.inverseDistance());
+      const double weight = 1.0 / (bound * bound);
+      candidate.squared_error *= weight;
+      if (!(candidate.squared_error < parameters.patches.patch_flatness * candidate.moments.pixels)) continue;
+      candidate.moments.scale(weight);
+      candidate.u = u;
+      candidate.v = v;
+      candidate.cell = grid.indexOf(c, r);
+
+      const int index = static_cast<int>(grid.candidates.size());
+      grid.candidates.push_back(candidate);
+      grid.candidate_at[static_cast<std::size_t>(candidate.cell)] = index;
+      if (before >= 0 && left_segment == row_segment) grid.links.push_back({before, index});
+      left = index;
+      left_segment = row_segment;
+      if (r == 0) continue;
+      const int above = grid.candidate_at[static_cast<std::size_t>(candidate.cell - grid.columns)];
+      const int window_above = columns.windowAt(rows.pixels[static_cast<std::size_t>(r - 1)]);
+      if (above >= 0 && columns.segment_of[columns.indexOf(c, window_above)] == column_segment)
+        grid.links.push_back({above, index});
+    }
+  }
+}
+
+}  // namespace line_plane_segmentation

@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "planes/merge_tree.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "planes/quadric_fit.h"
+
+namespace line_plane_segmentation {
+namespace {
+
+// [limits] A pair of candidates may cost more than the clusters that they come to belong to, whose planes are
+// better constrained, but not so much more.
+constexpr double kHopeless = 4.0;
+constexpr double kNever = std::numeric_limits<double>::max();
+
+// Two clusters are two planes if, for each candidate of the smaller one, the common surface adds more squared
+// deviation than this multiple of the variance about their own planes. With equal halves, 2 doubles the
+// variance. Its basis: variance ratio test (F test) with the threshold of an effect, not of significance,
+// since sensor distortion makes any deviation significant over enough candidates.
+constexpr double kTwoPlanes = 2.0;
+constexpr int kMinCompared = 8;          // candidates of either cluster: a plane has three parameters
+constexpr double kVarianceFloor = 0.05;  // [tolerance²] deviations below it do not count
+
+double squaredError(const MergeTree::Node& node) {
+  InverseDepthPlane plane;
+  double squared_error = 0.0;
+  return node.means.fit(plane, squared_error) ? squared_error : 0.0;
+}
+
+// The mean deviation of a candidate's pixels from a plane, in tolerances.
+double deviationOf(const RegressionMoments& m, const InverseDepthPlane& plane) {
+  return (m.rho - plane.a * m.x - plane.b * m.y - plane.c * m.weight) / std::sqrt(m.weight * m.pixels);
+}
+
+}  // namespace
+
+void MergeTree::start(const std::vector<CrossingCandidate>& candidates) {
+  leaves_ = static_cast<int>(candidates.size());
+  nodes_.clear();
+  nodes_.reserve(2 * candidates.size());
+  parent_.clear();
+  for (const CrossingCandidate& candidate : candidates) {
+    Node node;
+    static_cast<FittedPixels&>(node) = candidate;
+    const RegressionMoments& m = candidate.moments;
+    const double inv = 1.0 / m.weight, x = m.x * inv, y = m.y * inv, rho = m.rho * inv;
+    const double g = m.weight / m.pixels;
+    node.means = {g * x * x,   g * x * y,   g * y * y, g * x,         g * y, g,
+                  g * x * rho, g * y * rho, g * rho,   g * rho * rho, 1.0};
+    node.candidates = 1;
+    parent_.push_back(static_cast<int>(nodes_.size()));
+    nodes_.push_back(node);
+  }
+}
+
+bool MergeTree::combine(int a, int b, Node& both) const {
+  both.moments = node(a).moments + node(b).moments;
+  return both.moments.fit(both.plane, both.squared_error);
+}
+
+double MergeTree::costOf(int a, int b, const Node& both) const {
+  const Node &first = node(a), &second = node(b);
+  return (both.squared_error - first.squared_error - second.squared_error) /
+         std::min(first.moments.pixels, second.moments.pixels);
+}
+
+int MergeTree::merge(int a, int b, const Node& both) {
+  const int merged = size();
+  nodes_.push_back(both);
+  Node& node = nodes_.back();
+  const Node &first = nodes_[static_cast<std::size_t>(a)], &second = nodes_[static_cast<std::size_t>(b)];
+  node.means = first.means + second.means;
+  node.candidates = first.candidates + second.candidates;
+  node.left = a;
+  node.right = b;
+  parent_.push_back(merged);
+  parent_[static_cast<std::size_t>(a)] = parent_[static_cast<std::size_t>(b)] = merged;
+  return merged;
+}
+
+double MergeTree::variance(int i) const {
+  const Node& n = node(i);
+  return n.candidates < 4 ? 0.0 : squaredError(n) / (n.candidates - 3);
+}
+
+void MergeTree::appendCandidates(int i) {
+  stack_.assign(1, i);
+  while (!stack_.empty()) {
+    const int top = stack_.back();
+    stack_.pop_back();
+    if (top < leaves_) {
+      listed_.push_back(top);
+    } else {
+      stack_.push_back(node(top).right);
+      stack_.push_back(node(top).left);
+    }
+  }
+}
+
+const std::vector<int>& MergeTree::candidatesOf(int i) {
+  listed_.clear();
+  appendCandidates(i);
+  return listed_;
+}
+
+double MergeTree::quadricVarianceOfListed(const InverseDepthPlane& plane) {
+  QuadricFit quadric;
+  for (const int i : listed_) {
+    const RegressionMoments& m = node(i).moments;
+    quadric.add(m.x / m.weight, m.y / m.weight, deviationOf(m, plane));
+  }
+  return quadric.points() > 6 ? quadric.variance() : 0.0;
+}
+
+double MergeTree::quadricVariance(int i) {
+  candidatesOf(i);
+  return quadricVarianceOfListed(node(i).plane);
+}
+
+bool MergeTree::isTwoPlanes(int a, int b, const Node& both) {
+  const Node &first = node(a), &second = node(b);
+  const int fewer = std::min(first.candidates, second.candidates);
+  const int degrees_of_freedom = first.candidates + second.candidates - 6;
+  if (fewer < kMinCompared) return false;
+  InverseDepthPlane plane;
+  double common = 0.0;
+  if (!(first.means + second.means).fit(plane, common)) return false;
+  const double apart = squaredError(first) + squaredError(second);
+  const double bound = kTwoPlanes * (apart / degrees_of_freedom + kVarianceFloor) * fewer;
+  if (common - apart < bound) return false;
+  // Distortion bends planes smoothly, as a quadric does.
+  listed_.clear();
+  appendCandidates(a);
+  appendCandidates(b);
+  return quadricVarianceOfListed(both.plane) * degrees_of_freedom - apart >= bound;
+}
+
+// Merges the clusters of a pair if that costs less than a fraction of the limit.
+// @return whether the pair may be merged later
+bool MergeTree::compare(Pair& pair, double limit, double fraction) {
+  const int a = find(pair.a), b = find(pair.b);
+  if (a == b) return false;
+  const bool is_known = a == pair.root_a && b == pair.root_b;
+  if (is_known && !(pair.cost < fraction)) return true;
+  Node both;
+  const bool is_plane = combine(a, b, both);
+  pair = {pair.a, pair.b, a, b, is_plane ? costOf(a, b, both) / limit : kNever};
+  if (pair.cost < fraction) {
+    if (!isTwoPlanes(a, b, both)) {
+      merge(a, b, both);
+      return false;
+    }
+    pair.cost = kHopeless;  // until either cluster has changed
+  }
+  return pair.cost <= kHopeless;
+}
+
+void MergeTree::mergeLinked(const std::vector<CandidateGrid::Link>& links, double limit,
+                            std::initializer_list<double> rounds) {
+  pairs_.clear();
+  for (const CandidateGrid::Link& link : links) pairs_.push_back({link.a, link.b, -1, -1, 0.0});
+  for (const double fraction : rounds) {
+    std::size_t kept = 0;
+    for (Pair& pair : pairs_) {
+      if (compare(pair, limit, fraction)) pairs_[kept++] = pair;
+    }
+    pairs_.resize(kept);
+  }
+}
+
+}  // namespace line_plane_segmentation

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <initializer_list>
+#include <vector>
+
+#include "planes/crossing_candidates.h"
+
+namespace line_plane_segmentation {
+
+/// Agglomerative clustering of plane candidates with the history of its merges: a binary tree (dendrogram)
+/// whose leaves are the candidates. A disjoint-set forest (union-find) over the nodes finds a node's root.
+///
+/// The cost of a merge is the squared error that it adds, divided by the pixels of the smaller cluster
+/// [tolerance²]: the mean square by which the smaller cluster's pixels are moved off their own plane.
+class MergeTree {
+ public:
+  /// A cluster. Leaves come first, in the order of the candidates.
+  struct Node : FittedPixels {
+    /// Of the candidates' mean points, each weighed by 1 / tolerance²: averaging over a candidate's pixels
+    /// shows deviations that the noise of single pixels hides.
+    RegressionMoments means;
+    int left = -1, right = -1;  ///< the clusters merged into this one, -1 for leaves
+    int candidates = 0;
+  };
+
+  /// Starts with one cluster for each candidate.
+  void start(const std::vector<CrossingCandidate>& candidates);
+
+  int size() const { return static_cast<int>(nodes_.size()); }
+  int leaves() const { return leaves_; }
+  const Node& node(int i) const { return nodes_[static_cast<std::size_t>(i)]; }
+  bool isRoot(int i) const { return parent_[static_cast<std::size_t>(i)] == i; }
+
+  /// The root above a node.
+  int find(int i) {
+    while (parent_[static_cast<std::size_t>(i)] != i) {
+      int& parent = parent_[static_cast<std::size_t>(i)];
+      parent = parent_[static_cast<std::size_t>(parent)];
+      i = parent;
+    }
+    return i;
+  }
+
+  /// Merges the clusters of linked candidates that cost less than `limit`, those that cost least first:
+  /// in rounds, each with a fraction of the limit. Two clusters that are two planes, by isTwoPlanes(), are
+  /// not merged.
+  void mergeLinked(const std::vector<CandidateGrid::Link>& links, double limit,
+                   std::initializer_list<double> rounds);
+
+  /// The cluster that merging two roots would make.
+  /// @return false if its pixels are degenerate
+  bool combine(int a, int b, Node& both) const;
+
+  /// The cost of merging two roots into `both` [tolerance²].
+  double costOf(int a, int b, const Node& both) const;
+
+  /// Appends a merged cluster and returns its index.
+  int merge(int a, int b, const Node& both);
+
+  /// Whether two planes explain the candidates of two clusters much better than one plane or one quadric
+  /// surface. False if either has fewer than 8 candidates.
+  bool isTwoPlanes(int a, int b, const Node& both);
+
+  /// Variance of the candidates' mean points about their common plane [tolerance²]; 0 if there are fewer
+  /// than 4, or they are degenerate.
+  double variance(int i) const;
+
+  /// The same about their common quadric surface; 0 if there are fewer than 7.
+  double quadricVariance(int i);
+
+  /// The candidates of a cluster, in order of the tree.
+  const std::vector<int>& candidatesOf(int i);
+
+ private:
+  /// Linked candidates and the cost of merging their clusters when these were last compared.
+  struct Pair {
+    int a, b;
+    int root_a, root_b;
+    double cost;  ///< in limits
+  };
+
+  void appendCandidates(int i);
+  double quadricVarianceOfListed(const InverseDepthPlane& plane);
+  bool compare(Pair& pair, double limit, double fraction);
+
+  std::vector<Node> nodes_;
+  std::vector<int> parent_;
+  int leaves_ = 0;
+  std::vector<Pair> pairs_;
+  std::vector<int> listed_, stack_;
+};
+
+}  // namespace line_plane_segmentation

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "planes/plane_clustering.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+namespace line_plane_segmentation {
+namespace {
+
+constexpr std::size_t kMaxClusters = 65534;  // 16-bit labels; 65535 marks invalid depth
+
+// Residual sensor distortion bends a plane smoothly, so that its deviation grows with the square of its
+// extent and the mean square with the square of the fraction of the image that it covers. At this fraction
+// the bounds for small planes are doubled.
+constexpr double kDistortedFraction = 0.045;
+
+// A cluster is curved if a quadric surface leaves less than this fraction of its variance about a plane.
+constexpr double kMaxResidualRatio = 0.25;
+constexpr int kMinCurved = 8;  // candidates: a quadric has six parameters
+
+// Fewest candidates that constrain a plane's tilt better than all of its pixels do.
+constexpr int kMinSteady = 8;
+
+double allowDistortion(double bound, double fraction) {
+  const double relative = fraction / kDistortedFraction;
+  return bound * (1.0 + relative * relative);
+}
+
+}  // namespace
+
+bool PlaneClusterer::isPlane(int i, double fraction, const ClusterParameters& parameters) {
+  const MergeTree::Node& node = tree_.node(i);
+  if (node.squared_error > allowDistortion(parameters.max_curvedness, fraction) * node.moments.pixels)
+    return false;
+  const double variance = tree_.variance(i);
+  if (variance > allowDistortion(parameters.max_waviness, fraction)) return false;
+  if (node.candidates < kMinCurved) return true;
+  const double max_bend = allowDistortion(parameters.max_bend, fraction);
+  if (!(variance > max_bend)) return true;
+  const double about_quadric = tree_.quadricVariance(i);
+  return !(variance - about_quadric > max_bend && about_quadric < kMaxResidualRatio * variance);
+}
+
+// Adds those parts of a cluster that are planes, the largest in each branch of its tree.
+void PlaneClusterer::addParts(int root, double fraction_per_candidate, int min_candidates,
+                              const ClusterParameters& parameters) {
+  parts_ = {tree_.node(root).right, tree_.node(root).left};
+  while (!parts_.empty()) {
+    const int part = parts_.back();
+    parts_.pop_back();
+    const MergeTree::Node& node = tree_.node(part);
+    if (node.candidates < min_candidates) continue;
+    if (isPlane(part, node.candidates * fraction_per_candidate, parameters)) {
+      planes_.push_back(part);
+    } else if (part >= tree_.leaves()) {
+      parts_.push_back(node.right);
+      parts_.push_back(node.left);
+    }
+  }
+}
+
+void PlaneClusterer::addPlanes(int root, double fraction_per_candidate, int min_candidates,
+                               const ClusterParameters& parameters) {
+  const MergeTree::Node& node = tree_.node(root);
+  if (node.candidates < parameters.min_patches) return;
+  if (isPlane(root, node.candidates * fraction_per_candidate, parameters)) {
+    planes_.push_back(root);
+    return;
+  }
+  if (root < tree_.leaves()) return;
+  const std::size_t before = planes_.size();
+  addParts(root, fraction_per_candidate, min_candidates, parameters);
+  int candidates = 0;
+  double squares = 0.0;
+  for (std::size_t k = before; k < planes_.size(); ++k) {
+    const int part = tree_.node(planes_[k]).candidates;
+    candidates += part;
+    squares += part * tree_.variance(planes_[k]);
+  }
+  const bool are_most = 2 * candidates >= node.candidates;
+  if (!are_most || tree_.quadricVariance(root) * candidates < squares) planes_.resize(before);
+}
+
+void PlaneClusterer::cluster(const DepthImage& depth, const ViewRays& rays, const CandidateGrid& grid,
+                             const Parameters& parameters, std::vector<PlaneCluster>& clusters,
+                             std::vector<int>& cluster_of) {
+  tree_.start(grid.candidates);
+  tree_.mergeLinked(grid.links, parameters.clusters.merge_cost,
+                    {1.0 / 64, 1.0 / 16, 1.0 / 8, 1.0 / 4, 1.0 / 2, 1.0, 1.0});
+
+  // A part has to be large enough for the smallest plane: as many crossings as that has pixels.
+  const double pixels_per_crossing = static_cast<double>(grid.spacing) * grid.spacing;
+  const int min_candidates =
+      std::max(parameters.clusters.min_patches,
+               static_cast<int>(std::lround(parameters.extraction.min_plane_inliers / pixels_per_crossing)));
+  planes_.clear();
+  for (int i = 0; i < tree_.size(); ++i) {
+    if (tree_.isRoot(i)) addPlanes(i, grid.fractionPerCandidate(), min_candidates, parameters.clusters);
+  }
+  coplanar_merger_.merge(depth, rays, grid, parameters, tree_, planes_);
+
+  clusters.clear();
+  cluster_of.assign(grid.candidates.size(), -1);
+  for (const int plane : planes_) {
+    if (clusters.size() == kMaxClusters) break;
+    for (const int candidate : tree_.candidatesOf(plane))
+      cluster_of[static_cast<std::size_t>(candidate)] = static_cast<int>(clusters.size());
+    const MergeTree::Node& node = tree_.node(plane);
+    clusters.push_back({node, node.candidates, node.candidates < kMinSteady});
+  }
+}
+
+}  // namespace line_plane_segmentation

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <vector>
+
+#include "planes/coplanar_merging.h"
+#include "planes/merge_tree.h"
+
+namespace line_plane_segmentation {
+
+/// Candidates that lie in one plane.
+struct PlaneCluster : FittedPixels {
+  int candidates = 0;
+  bool is_narrow = false;  ///< too few candidates to constrain the tilt: fit the plane to all of its pixels
+};
+
+/// Stage "extraction" of the default method, first half: which planes there are.
+///
+/// Candidates that follow each other on a line segment grow together (MergeTree). A cluster is a plane if it
+/// is flat and not curved. Of a cluster that is not, its parts are planes if most of it belongs to such parts
+/// and they explain it better than one quadric surface; otherwise it is a curved or rough surface. Coplanar
+/// planes are merged across what occludes them.
+class PlaneClusterer {
+ public:
+  /// @param clusters    receives the planes
+  /// @param cluster_of  receives the index in `clusters` per candidate, -1 if none
+  void cluster(const DepthImage& depth, const ViewRays& rays, const CandidateGrid& grid,
+               const Parameters& parameters, std::vector<PlaneCluster>& clusters,
+               std::vector<int>& cluster_of);
+
+ private:
+  bool isPlane(int node, double fraction, const ClusterParameters& parameters);
+  void addParts(int root, double fraction_per_candidate, int min_candidates,
+                const ClusterParameters& parameters);
+  void addPlanes(int root, double fraction_per_candidate, int min_candidates,
+                 const ClusterParameters& parameters);
+
+  MergeTree tree_;
+  CoplanarMerger coplanar_merger_;
+  std::vector<int> planes_;  // nodes
+  std::vector<int> parts_;   // nodes still to be judged
+};
+
+}  // namespace line_plane_segmentation

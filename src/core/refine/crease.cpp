@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "refine/crease.h"
+
+namespace line_plane_segmentation {
+namespace {
+
+constexpr std::size_t kMaxClusters = 200;  // bounds the table of pairs
+constexpr int kMinVotes = 10;              // about three candidates beside three others
+
+}  // namespace
+
+CreaseType Creases::between(int cluster, int other) const {
+  const int votes = votes_.empty() ? 0 : votes_[indexOf(cluster, other)];
+  if (votes >= kMinVotes) return CreaseType::kConcave;
+  return votes <= -kMinVotes ? CreaseType::kConvex : CreaseType::kNone;
+}
+
+void Creases::vote(int cluster, int other, int sign) {
+  votes_[indexOf(cluster, other)] += sign;
+  votes_[indexOf(other, cluster)] += sign;
+}
+
+void Creases::find(const ViewRays& rays, const CandidateGrid& grid, const std::vector<PlaneCluster>& clusters,
+                   const std::vector<int>& cluster_at) {
+  count_ = clusters.size();
+  votes_.clear();
+  if (count_ < 2 || count_ > kMaxClusters) return;
+  votes_.assign(count_ * count_, 0);
+  const auto rayOf = [&grid](const std::vector<float>& axis, int scanline) {
+    return static_cast<double>(axis[static_cast<std::size_t>(grid.spacing / 2 + scanline * grid.spacing)]);
+  };
+  const auto isNearer = [&](int cell, int cluster, int other) {
+    const double x = rayOf(rays.x, cell % grid.columns);
+    const double y = rayOf(rays.y, cell / grid.columns);
+    return clusters[static_cast<std::size_t>(cluster)].plane.at(x, y) >
+           clusters[static_cast<std::size_t>(other)].plane.at(x, y);
+  };
+  // At a candidate its own plane is the nearer one at a concave edge, the farther one at a convex edge.
+  const auto compare = [&](int cell, int neighbor) {
+    const int cluster = cluster_at[static_cast<std::size_t>(cell)];
+    const int other = cluster_at[static_cast<std::size_t>(neighbor)];
+    if (cluster == other || cluster < 0 || other < 0) return;
+    vote(cluster, other, isNearer(cell, cluster, other) ? 1 : -1);
+    vote(cluster, other, isNearer(neighbor, other, cluster) ? 1 : -1);
+  };
+  for (int r = 0; r < grid.rows; ++r) {
+    for (int c = 0; c < grid.columns; ++c) {
+      const int here = grid.indexOf(c, r);
+      // Also two crossings apart: the candidate between lies on the edge and belongs to neither plane.
+      for (int step = 1; step <= 2; ++step) {
+        if (c + step < grid.columns) compare(here, here + step);
+        if (r + step < grid.rows) compare(here, here + step * grid.columns);
+      }
+    }
+  }
+}
+
+}  // namespace line_plane_segmentation

@@ -1,0 +1,236 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "refine/region_cleanup.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <numeric>
+
+namespace line_plane_segmentation {
+namespace {
+
+constexpr double kMaxMeanError =
+    2.0;  // [-] in tolerances; a piece farther from the plane around it is not of it
+
+// Where a plane of the sensor's bends, as it does in the corners of the picture, pixels in no plane lie
+// beside it without a step, in larger pieces than noise makes.
+constexpr int kMaxGapRegions = 8;  // [-] in min_region_pixels; a larger piece in no plane stays in none
+constexpr double kMaxStep = 1.0;   // [-] in tolerances along the ray; neighbours farther apart do not touch
+
+// How many of two rows' pixels lie at the same depth: their inverse depths differ by less than the tolerance
+// of the farther one. Multiplied by both depths and by the farther one, that takes no division.
+int countTouching(const float* z, const float* other, int count, const DepthTolerance& tolerance) {
+  int touching = 0;
+  for (int i = 0; i < count; ++i) {
+    const double near = static_cast<double>(std::min(z[i], other[i]));
+    const double far = static_cast<double>(std::max(z[i], other[i]));
+    const double beyond = far - tolerance.noise.nearest;
+    const double noise = tolerance.noise.floor + tolerance.noise.growth * beyond * beyond;
+    touching += (far - near) * far < tolerance.noise_factor * noise * near ? 1 : 0;
+  }
+  return touching;
+}
+
+}  // namespace
+
+// Nearly all runs are the first of their piece or hang under it: to both the loop is the same.
+int RegionCleaner::find(int run) {
+  const auto parentOf = [this](int r) -> int& { return component_of_run_[static_cast<std::size_t>(r)]; };
+  int parent = parentOf(run);
+  while (parentOf(parent) != parent) {
+    parentOf(run) = parentOf(parent);
+    run = parentOf(parent);
+    parent = parentOf(run);
+  }
+  return parent;
+}
+
+// Hangs runs of one label that touch under the first of them, and lists the borders between labels.
+void RegionCleaner::connect(const LabelRuns& image) {
+  component_of_run_.resize(image.runs.size());
+  std::iota(component_of_run_.begin(), component_of_run_.end(), 0);
+  border_count_ = 0;
+  forEachVerticalContact(image, [&](std::size_t above, std::size_t below) {
+    const std::uint16_t label = image.runs[above].label, label_below = image.runs[below].label;
+    const bool have_depth = std::max(label, label_below) != kNoDepthLabel;
+    addBorderIf((label != label_below) & have_depth, {static_cast<int>(above), static_cast<int>(below)});
+    if (label != label_below || !have_depth) return;
+    const int a = find(static_cast<int>(above)), b = find(static_cast<int>(below));
+    component_of_run_[static_cast<std::size_t>(std::max(a, b))] = std::min(a, b);
+  });
+}
+
+// Grown by a quarter and not to twice the size: clutter has as many borders as runs.
+void RegionCleaner::growBorders() {
+  borders_.reserve(borders_.size() + borders_.size() / 4 + 1024);
+  borders_.resize(borders_.capacity());
+}
+
+// Numbers the pieces, from 1 on; 0 is of all runs without depth. Factors stand for branches.
+void RegionCleaner::numberComponents(const LabelRuns& image) {
+  int count = 1;
+  for (std::size_t i = 0; i < component_of_run_.size(); ++i) {
+    // A run hangs under an earlier one, which has its number, or is the first of a piece and has the next.
+    const std::size_t parent = static_cast<std::size_t>(component_of_run_[i]);
+    component_of_run_[i] = count;
+    const int has_depth = image.runs[i].label != kNoDepthLabel ? 1 : 0;
+    component_of_run_[i] = has_depth * component_of_run_[parent];
+    count += parent == i ? has_depth : 0;
+  }
+  // Clutter has nearly as many pieces as runs: no more memory than they need, and none for both old and new.
+  components_.clear();
+  if (components_.capacity() < static_cast<std::size_t>(count)) std::vector<Component>().swap(components_);
+  components_.resize(static_cast<std::size_t>(count));
+}
+
+void RegionCleaner::measureComponents(int min_region_pixels, const LabelRuns& image) {
+  for (std::size_t i = 0; i < component_of_run_.size(); ++i) {
+    Component& piece = components_[static_cast<std::size_t>(component_of_run_[i])];
+    piece.label = image.runs[i].label;
+    piece.pixels += image.runs[i].pixels();
+  }
+  const std::int64_t min_gap_pixels = std::int64_t{kMaxGapRegions} * min_region_pixels;
+  for (Component& piece : components_) {
+    piece.size = piece.pixels < (piece.label == 0 ? min_gap_pixels : min_region_pixels) ? kSmall : kLarge;
+  }
+  components_.front().label = 0;
+  components_.front().size = kNoDepth;
+}
+
+// Keeps of the borders those between small and large pieces, and adds those within the rows.
+void RegionCleaner::listBordersOfSmall(const LabelRuns& image) {
+  const auto isOfSmall = [this](int i, int j) {
+    return (componentOf(i).size | componentOf(j).size) == (kSmall | kLarge);
+  };
+  std::size_t kept = 0;
+  for (std::size_t k = 0; k < border_count_; ++k) {
+    const Border border = borders_[k];
+    borders_[kept] = border;
+    kept += isOfSmall(border.first, border.second) ? 1U : 0U;
+  }
+  border_count_ = kept;
+  for (int i = 1; i < static_cast<int>(image.runs.size()); ++i) {
+    const std::size_t at = static_cast<std::size_t>(i);
+    addBorderIf((image.runs[at - 1].row == image.runs[at].row) & isOfSmall(i - 1, i), {i - 1, i});
+  }
+}
+
+// Where small pieces touch large ones.
+void RegionCleaner::findContacts(const DepthImage& depth, const Parameters& parameters,
+                                 const LabelRuns& image) {
+  contacts_.clear();
+  const DepthTolerance tolerance{parameters.noise, kMaxStep * parameters.extraction.distance_noise_factor};
+  for (std::size_t k = 0; k < border_count_; ++k) {
+    const Border border = borders_[k];
+    const LabelRun& a = image.runs[static_cast<std::size_t>(border.first)];
+    const LabelRun& b = image.runs[static_cast<std::size_t>(border.second)];
+    const bool are_beside = a.row == b.row;
+    const int first = std::max(a.first, b.first);
+    const int length = are_beside ? 1 : std::min(a.last, b.last) - first;
+    const int touching = countTouching(depth.row(a.row) + (are_beside ? first - 1 : first),
+                                       depth.row(b.row) + first, length, tolerance);
+    const bool a_is_small = componentOf(border.first).size == kSmall;
+    const int small = a_is_small ? border.first : border.second;
+    componentOf(small).majority_margin -= length;
+    contacts_.push_back(
+        {component_of_run_[static_cast<std::size_t>(small)], a_is_small ? b.label : a.label, touching});
+  }
+}
+
+// The label that more than half of a small piece's border touches, or 0: no plane. What lies behind a step
+// touches nothing.
+void RegionCleaner::chooseMergeTargets() {
+  // Boyer and Moore's vote: a label that has more than half vote_counts in the end. Factors stand for
+  // branches, which would be mispredicted.
+  for (const Contact& contact : contacts_) {
+    Component& piece = components_[static_cast<std::size_t>(contact.piece)];
+    const int sign = 2 * static_cast<int>(contact.label == piece.target_label) - 1;
+    const int vote_count = piece.vote_count + sign * contact.length;
+    piece.target_label = vote_count < 0 ? contact.label : piece.target_label;
+    piece.vote_count = std::abs(vote_count);
+  }
+  for (const Contact& contact : contacts_) {
+    Component& piece = components_[static_cast<std::size_t>(contact.piece)];
+    piece.majority_margin += 2 * contact.length * static_cast<int>(contact.label == piece.target_label);
+  }
+  for (Component& piece : components_) {
+    if (piece.majority_margin <= 0) piece.target_label = 0;
+  }
+}
+
+// A small piece goes to its target_label only if its pixels lie near that plane.
+void RegionCleaner::rejectDistantTargets(const DepthImage& depth, const ViewRays& rays,
+                                         const std::vector<PlaneCluster>& clusters,
+                                         const Parameters& parameters, const LabelRuns& image) {
+  const NoiseParameters& noise = parameters.noise;
+  const double factor = parameters.extraction.distance_noise_factor;
+  errors_.assign(components_.size(), 0.0);
+  for (std::size_t i = 0; i < image.runs.size(); ++i) {
+    const std::size_t piece = static_cast<std::size_t>(component_of_run_[i]);
+    const std::uint16_t target_label = components_[piece].target_label;
+    if (target_label == 0) continue;
+    const LabelRun& run = image.runs[i];
+    const InverseDepthPlane& plane = clusters[target_label - 1U].plane;
+    const double y = rays.y[static_cast<std::size_t>(run.row)];
+    const double across = parameters.extraction.plane_distance * plane.inverseDistance();
+    const float* z_of = depth.row(run.row);
+    double error = errors_[piece];
+    for (int u = run.first; u < run.last; ++u) {
+      // The error in inverse depth over DepthTolerance::at(), both times z², which leaves one division.
+      const double z = z_of[u], beyond = z - noise.nearest;
+      const double expected = plane.at(rays.x[static_cast<std::size_t>(u)], y);
+      const double tolerance = std::max(factor * (noise.floor + noise.growth * beyond * beyond), across * z);
+      error += std::fabs(z - z * z * expected) / tolerance;
+    }
+    errors_[piece] = error;
+  }
+  for (std::size_t i = 0; i < components_.size(); ++i) {
+    if (errors_[i] > kMaxMeanError * components_[i].pixels) components_[i].target_label = 0;
+  }
+}
+
+// What the pieces come to, by their new labels; then those of the planes that are left.
+int RegionCleaner::renumber(int min_plane_inliers, int label_count) {
+  label_pixels_.assign(static_cast<std::size_t>(label_count) + 1, 0);
+  for (Component& piece : components_) {
+    if (piece.size == kSmall) piece.label = piece.target_label;
+    label_pixels_[piece.label] += piece.pixels;
+  }
+  order_.clear();
+  for (int label = 1; label <= label_count; ++label) {
+    const int pixels = label_pixels_[static_cast<std::size_t>(label)];
+    if (pixels > 0 && pixels >= min_plane_inliers) order_.push_back(label);
+  }
+  std::sort(order_.begin(), order_.end(), [this](int a, int b) {
+    const int pa = label_pixels_[static_cast<std::size_t>(a)],
+              pb = label_pixels_[static_cast<std::size_t>(b)];
+    return pa != pb ? pa > pb : a < b;
+  });
+  new_label_.assign(label_pixels_.size(), 0);
+  for (std::size_t i = 0; i < order_.size(); ++i) {
+    new_label_[static_cast<std::size_t>(order_[i])] = static_cast<std::uint16_t>(i + 1);
+  }
+  for (Component& piece : components_) piece.label = new_label_[piece.label];
+  return static_cast<int>(order_.size());
+}
+
+int RegionCleaner::clean(const DepthImage& depth, const ViewRays& rays,
+                         const std::vector<PlaneCluster>& clusters, const Parameters& parameters,
+                         LabelRuns& image) {
+  connect(image);
+  numberComponents(image);
+  measureComponents(parameters.cleanup.min_region_pixels, image);
+  listBordersOfSmall(image);
+  findContacts(depth, parameters, image);
+  chooseMergeTargets();
+  rejectDistantTargets(depth, rays, clusters, parameters, image);
+  const int plane_count =
+      renumber(parameters.extraction.min_plane_inliers, static_cast<int>(clusters.size()));
+  for (std::size_t i = 0; i < image.runs.size(); ++i) {
+    image.runs[i].label = components_[static_cast<std::size_t>(component_of_run_[i])].label;
+  }
+  image.join();
+  return plane_count;
+}
+
+}  // namespace line_plane_segmentation

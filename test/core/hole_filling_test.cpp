@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "depth/hole_filling.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "line_plane_segmentation/plane_segmenter.h"
+#include "support/random.h"
+#include "support/resolved_parameters.h"
+#include "support/synthetic_depth.h"
+
+namespace line_plane_segmentation {
+namespace {
+
+constexpr int kWidth = 320, kHeight = 240;
+const CameraIntrinsics kCamera = kinectCamera(kWidth, kHeight);
+
+/// Invalidates every `period`-th row and column.
+DepthImage latticed(DepthImage depth, int period) {
+  for (int v = 0; v < depth.height; ++v) {
+    for (int u = 0; u < depth.width; ++u) {
+      if (u % period == 0 || v % period == 0) depth.row(v)[u] = 0.0F;
+    }
+  }
+  return depth;
+}
+
+/// Invalidates this fraction of the pixels at random.
+DepthImage speckled(DepthImage depth, double fraction) {
+  Random random(4);
+  addHoles(fraction, 0, random, depth);
+  return depth;
+}
+
+/// Invalidates 12 of every 24 rows.
+DepthImage banded(DepthImage depth) {
+  for (int v = 0; v < depth.height; ++v) {
+    if (v % 24 >= 12) std::fill_n(depth.row(v), depth.width, 0.0F);
+  }
+  return depth;
+}
+
+TEST(HoleFiller, ContinuesASurfaceBehindALattice) {
+  const DepthImage wall = render(surfaceAt(2.0, 0.4, 0.2), kCamera, kWidth, kHeight);
+  DepthImage depth = latticed(wall, 8);
+  const DepthImage before = depth;
+  HoleFiller filler;
+  ASSERT_TRUE(filler.fill(adaptiveParameters(kWidth), depth));
+  for (int v = 8; v < kHeight - 8; ++v) {
+    for (int u = 8; u < kWidth - 8; ++u) {
+      const std::size_t i = depth.index(u, v);
+      ASSERT_NEAR(depth.z[i], wall.z[i], 1e-3) << u << ' ' << v;
+      ASSERT_EQ(filler.filled()[i] != 0, before.z[i] == 0.0F);
+    }
+  }
+}
+
+TEST(HoleFiller, LeavesADenseImageAndItsShadowsAsTheyAre) {
+  DepthImage depth = halves(surfaceAt(1.5), surfaceAt(1.9), kCamera, kWidth, kHeight);
+  for (int v = 0; v < kHeight; ++v) std::fill_n(depth.row(v) + 155, 12, 0.0F);
+  Random random(2);
+  addHoles(0.005, 4, random, depth);
+  const DepthImage before = depth;
+  EXPECT_FALSE(HoleFiller().fill(adaptiveParameters(kWidth), depth));
+  EXPECT_EQ(depth.z, before.z);
+}
+
+TEST(HoleFiller, DoesNotFillAcrossAStep) {
+  DepthImage depth = latticed(halves(surfaceAt(1.5), surfaceAt(1.9), kCamera, kWidth, kHeight), 8);
+  ASSERT_EQ(depth.at(160, 100), 0.0F) << "the step is in a hole";
+  HoleFiller filler;
+  ASSERT_TRUE(filler.fill(adaptiveParameters(kWidth), depth));
+  EXPECT_EQ(depth.at(160, 100), 0.0F);
+}
+
+TEST(HoleFiller, OfNothingIsNotPerforated) {
+  DepthImage blank = blankDepth(kWidth, kHeight), empty = blankDepth(0, 0);
+  EXPECT_FALSE(HoleFiller().fill(adaptiveParameters(kWidth), blank));
+  EXPECT_FALSE(HoleFiller().fill(adaptiveParameters(kWidth), empty));
+}
+
+// Planes as without the holes, down to a third of the pixels; only measured pixels are labelled and counted.
+TEST(PerforatedImages, HaveThePlanesOfTheDenseImage) {
+  DepthImage dense = halves(surfaceAt(1.8, 0.5), surfaceAt(1.8, -0.5), kCamera, kWidth, kHeight);
+  Random random(7);
+  addNoise({}, 0.5, random, dense);
+  for (const DepthImage& depth :
+       {latticed(dense, 8), latticed(dense, 3), banded(dense), speckled(dense, 0.5), speckled(dense, 0.66)}) {
+    const std::vector<std::uint16_t> pixels = toMillimetres(depth);
+    PlaneSegmenter segmenter;
+    const Segmentation& result = segmenter.segment(viewOf(pixels.data(), kWidth, kHeight), kCamera);
+    ASSERT_EQ(result.planes.size(), 2U);
+    EXPECT_GT(result.assigned_pixels, 0.9 * result.valid_pixels);
+    std::uint32_t labelled = 0;
+    for (std::size_t i = 0; i < pixels.size(); ++i) {
+      if (result.labels[i] == 0) continue;
+      ASSERT_GT(pixels[i], 0);
+      ++labelled;
+    }
+    EXPECT_EQ(labelled, result.assigned_pixels);
+    for (const SegmentedPlane& plane : result.planes)
+      EXPECT_NEAR(plane.d, surfaceAt(1.8, 0.5).d, 0.02);
+  }
+}
+
+// The same view by more or fewer pixels, or turned, has the same planes.
+TEST(SizesInTheView, FollowTheAngleThatAPixelSees) {
+  const Surface wall = surfaceAt(2.0, 0.1), box = surfaceAt(1.6, -0.2);
+  const auto planesOf = [&](int width, int height, double focal_length) {
+    CameraIntrinsics camera = kinectCamera(width, height);
+    camera.fx = camera.fy = focal_length;
+    DepthImage depth = render(wall, camera, width, height);
+    const auto pixel = [&](double x, double centre) { return static_cast<int>(centre + x * focal_length); };
+    paint(box, camera, {pixel(-0.06, camera.cx), pixel(0.06, camera.cx), pixel(-0.05, camera.cy), pixel(0.05, camera.cy)},
+          depth);
+    const std::vector<std::uint16_t> pixels = toMillimetres(depth);
+    PlaneSegmenter segmenter;
+    return segmenter.segment(viewOf(pixels.data(), width, height), camera).planes.size();
+  };
+  for (const double focal_length : {262.5, 425.0, 525.0, 1050.0}) {
+    const int width = static_cast<int>(640 * focal_length / 525.0), height = width * 3 / 4;
+    EXPECT_EQ(planesOf(width, height, focal_length), 2U) << focal_length;
+    EXPECT_EQ(planesOf(height, width, focal_length), 2U) << focal_length << ", turned";
+  }
+  EXPECT_EQ(planesOf(848, 480, 425.0), 2U);
+}
+
+}  // namespace
+}  // namespace line_plane_segmentation

@@ -1,0 +1,221 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Windows of scanlines, the line segments grown from them, and the noise measured in them.
+#include "lines/line_growing.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "support/random.h"
+#include "support/resolved_parameters.h"
+#include "support/synthetic_depth.h"
+
+namespace line_plane_segmentation {
+namespace {
+
+constexpr int kWidth = 320, kHeight = 240;
+const CameraIntrinsics kCamera = kinectCamera(kWidth, kHeight);
+const ViewRays kRays = raysOf(kCamera, kWidth, kHeight);
+
+/// The scanlines of an image and their segments.
+struct Lines {
+  ScanlineSet rows, columns;
+  Parameters parameters = adaptiveParameters(kWidth);
+  DepthImage depth;
+
+  explicit Lines(const DepthImage& image, int min_line_points = 0) : depth(image) {
+    if (min_line_points > 0) parameters.lines.min_line_points = min_line_points;
+    const ViewRays rays = raysOf(kinectCamera(depth.width, depth.height), depth.width, depth.height);
+    WindowSummer().sum(depth, rays, parameters.scanlines.scanline_spacing, parameters.lines.line_window, rows,
+                       columns);
+    LineGrower grower;
+    grower.grow(rays.y, parameters, rows);
+    grower.grow(rays.x, parameters, columns);
+  }
+
+  std::vector<LineSegment> described() const {
+    std::vector<LineSegment> segments;
+    describeSegments(depth, kRays, rows, segments);
+    describeSegments(depth, kRays, columns, segments);
+    return segments;
+  }
+
+  /// The segments of the row nearest to the middle of the image.
+  std::vector<GrownSegment> ofMiddleRow() const {
+    std::vector<GrownSegment> segments;
+    for (const GrownSegment& segment : rows.segments) {
+      if (segment.scanline == rows.count() / 2) segments.push_back(segment);
+    }
+    return segments;
+  }
+};
+
+DepthImage noisy(DepthImage depth, double factor, std::uint64_t seed = 3) {
+  Random random(seed);
+  addNoise({}, factor, random, depth);
+  return depth;
+}
+
+TEST(WindowSummer, SumsThePixelsOfEachWindow) {
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    Random random(seed);
+    const int width = random.integer(1, 90), height = random.integer(1, 70);
+    DepthImage depth = randomScene(seed, width, height);
+    addHoles(0.2, 1, random, depth);
+    const ViewRays rays = raysOf(kCamera, width, height);
+    ScanlineSet rows, columns;
+    WindowSummer().sum(depth, rays, random.integer(1, 12), random.integer(1, 9), rows, columns);
+    for (const ScanlineSet* set : {&rows, &columns}) {
+      const bool is_row = set == &rows;
+      for (int k = 0; k < set->count(); ++k) {
+        const int at = set->pixels[static_cast<std::size_t>(k)], length = is_row ? width : height;
+        for (int w = 0; w < set->windows; ++w) {
+          double n = 0.0, t_rho = 0.0, rho_rho = 0.0;
+          for (int i = w * set->window; i < std::min(length, (w + 1) * set->window); ++i) {
+            const float z = is_row ? depth.at(i, at) : depth.at(at, i);
+            if (!(z > 0.0F)) continue;
+            const double rho = 1.0 / static_cast<double>(z);
+            n += 1.0;
+            t_rho += rho * static_cast<double>((is_row ? rays.x : rays.y)[static_cast<std::size_t>(i)]);
+            rho_rho += rho * rho;
+          }
+          const LineSums& sums = set->sums[set->indexOf(k, w)];
+          ASSERT_EQ(sums.n, n) << "seed " << seed;
+          ASSERT_NEAR(sums.t_rho, t_rho, 1e-9);
+          ASSERT_NEAR(sums.rho_rho, rho_rho, 1e-9);
+        }
+      }
+    }
+  }
+}
+
+TEST(WindowSummer, MovesScanlinesOffMissingRowsAndColumns) {
+  DepthImage depth = render(surfaceAt(1.5), kCamera, kWidth, kHeight);
+  for (int v = 5; v < kHeight; v += 10) std::fill_n(depth.row(v), kWidth, 0.0F);
+  const Lines lines(depth);
+  ASSERT_EQ(lines.parameters.scanlines.scanline_spacing, 10) << "every scanline would be missing";
+  for (const int v : lines.rows.pixels) EXPECT_NE(v % 10, 5);
+  for (const LineSums& sums : lines.rows.sums) EXPECT_GT(sums.n, 0.0);
+  const Lines dense(render(surfaceAt(1.5), kCamera, kWidth, kHeight));
+  for (const int v : dense.rows.pixels) EXPECT_EQ(v % 10, 5);
+}
+
+TEST(LineGrower, GrowsOneSegmentPerScanlineOfAPlane) {
+  const Lines lines(noisy(render(surfaceAt(2.0, 0.5, -0.3), kCamera, kWidth, kHeight), 1.0));
+  EXPECT_EQ(lines.rows.segments.size(), static_cast<std::size_t>(lines.rows.count()));
+  EXPECT_EQ(lines.columns.segments.size(), static_cast<std::size_t>(lines.columns.count()));
+  for (const GrownSegment& segment : lines.rows.segments) {
+    EXPECT_EQ(segment.first, 0);
+    EXPECT_EQ(segment.last, lines.rows.windows - 1);
+  }
+}
+
+TEST(LineGrower, SplitsAtAStepAndAtACrease) {
+  for (const DepthImage& depth : {halves(surfaceAt(1.4), surfaceAt(1.5), kCamera, kWidth, kHeight),
+                                  halves(surfaceAt(1.8, 0.4), surfaceAt(1.8, -0.4), kCamera, kWidth, kHeight)}) {
+    const std::vector<GrownSegment> segments = Lines(noisy(depth, 0.5)).ofMiddleRow();
+    ASSERT_EQ(segments.size(), 2U);
+    EXPECT_NEAR(segments[0].last * 5, 160, 10);
+    EXPECT_NEAR(segments[1].first * 5, 160, 10);
+  }
+}
+
+TEST(LineGrower, ContinuesAfterASmallHoleOnly) {
+  DepthImage depth = render(surfaceAt(2.0), kCamera, kWidth, kHeight);
+  paint(surfaceAt(2.0), kCamera, {0, 0, 0, 0}, depth);
+  const auto withHole = [&depth](int pixels) {
+    DepthImage holey = depth;
+    for (int v = 0; v < kHeight; ++v) std::fill_n(holey.row(v) + 150, pixels, 0.0F);
+    return Lines(holey).ofMiddleRow().size();
+  };
+  EXPECT_EQ(withHole(10), 1U);
+  EXPECT_EQ(withHole(40), 2U);
+}
+
+TEST(LineGrower, DropsSegmentsOfTooFewPoints) {
+  DepthImage depth = blankDepth(kWidth, kHeight);
+  paint(surfaceAt(1.5), kCamera, {100, 130, 0, kHeight}, depth);
+  EXPECT_EQ(Lines(depth, 30).ofMiddleRow().size(), 1U);
+  EXPECT_EQ(Lines(depth, 31).ofMiddleRow().size(), 0U);
+}
+
+// What lineSegments() shows, to the pixel, in an image with holes.
+TEST(DescribeSegments, CountsThePointsBetweenTheEnds) {
+  const Surface wall = surfaceAt(1.7, 0.4, 0.2);
+  DepthImage depth = render(wall, kCamera, kWidth, kHeight);
+  for (int v = 0; v < kHeight; ++v) {
+    for (int u = 3; u < kWidth; u += 5) depth.row(v)[u] = 0.0F;
+  }
+  const std::vector<LineSegment> segments = Lines(depth).described();
+  ASSERT_FALSE(segments.empty());
+  for (const LineSegment& segment : segments) {
+    const bool is_row = segment.direction == ScanDirection::kRow;
+    const auto isValid = [&](int i) {
+      return (is_row ? depth.at(i, segment.scanline) : depth.at(segment.scanline, i)) > 0.0F;
+    };
+    ASSERT_TRUE(isValid(segment.first) && isValid(segment.last));
+    int points = 0;
+    for (int i = segment.first; i <= segment.last; ++i) points += isValid(i) ? 1 : 0;
+    EXPECT_EQ(segment.points, points);
+    EXPECT_GT(segment.covariance.trace(), 0.0);
+
+    // Points of the segment lie on its polar form (Eq. 1-3).
+    const double across = static_cast<double>(
+        (is_row ? kRays.y : kRays.x)[static_cast<std::size_t>(segment.scanline)]);
+    const double k = std::sqrt(across * across + 1.0);
+    for (const int i : {segment.first, segment.last}) {
+      const double z = static_cast<double>(is_row ? depth.at(i, segment.scanline) : depth.at(segment.scanline, i));
+      const double along = static_cast<double>((is_row ? kRays.x : kRays.y)[static_cast<std::size_t>(i)]);
+      EXPECT_NEAR(k * z * std::cos(segment.alpha) + along * z * std::sin(segment.alpha), segment.r, 1e-4);
+    }
+  }
+}
+
+TEST(DescribeSegments, HasTheCovarianceThatRepeatedNoiseGives) {
+  Eigen::Vector2d sum = Eigen::Vector2d::Zero();
+  Eigen::Matrix2d squares = Eigen::Matrix2d::Zero(), predicted = Eigen::Matrix2d::Zero();
+  int trials = 0;
+  for (std::uint64_t trial = 0; trial < 300; ++trial) {
+    const Lines lines(noisy(render(surfaceAt(1.6, 0.3), kCamera, kWidth, 20), 1.0, 100 + trial));
+    const std::vector<LineSegment> segments = lines.described();
+    const LineSegment& segment = segments.front();
+    if (segment.points != kWidth) continue;  // a window of one in some thousand is not straight
+    ++trials;
+    const Eigen::Vector2d polar(segment.alpha, segment.r);
+    sum += polar;
+    squares += polar * polar.transpose();
+    predicted += segment.covariance;
+  }
+  ASSERT_GT(trials, 280);
+  const Eigen::Matrix2d sampled = squares - sum * sum.transpose() / trials;
+  for (const int i : {0, 1}) EXPECT_NEAR(sampled(i, i) / predicted(i, i), 1.0, 0.3) << i;
+}
+
+double ratioOf(const DepthImage& depth) {
+  const Lines lines(depth);
+  return NoiseMeter().ratio(lines.rows, lines.columns, NoiseParameters{});
+}
+
+TEST(NoiseMeter, GrowsInProportionToTheNoise) {
+  const DepthImage clean = render(surfaceAt(2.0, 0.3), kCamera, kWidth, kHeight);
+  const double once = ratioOf(noisy(clean, 1.0));
+  EXPECT_GT(once, 0.2);
+  EXPECT_NEAR(ratioOf(noisy(clean, 3.0)) / once, 3.0, 0.3);
+  EXPECT_LT(ratioOf(clean), 0.1);
+}
+
+TEST(NoiseMeter, IsOneWithoutEnoughPixels) { EXPECT_EQ(ratioOf(blankDepth(kWidth, kHeight)), 1.0); }
+
+TEST(LineGrower, OfNothingIsNothing) {
+  for (const auto& [width, height] : {std::pair{1, 1}, {1, 50}, {50, 1}, {3, 3}}) {
+    const Lines lines(blankDepth(width, height));
+    EXPECT_TRUE(lines.rows.segments.empty());
+    EXPECT_TRUE(lines.columns.segments.empty());
+  }
+}
+
+}  // namespace
+}  // namespace line_plane_segmentation

@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Candidates at crossings of segments, and the tree of their merges.
+#include "planes/merge_tree.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "support/clustered_image.h"
+#include "support/random.h"
+#include "support/resolved_parameters.h"
+#include "support/synthetic_depth.h"
+
+namespace line_plane_segmentation {
+namespace {
+
+constexpr int kWidth = 320, kHeight = 240;
+const CameraIntrinsics kCamera = kinectCamera(kWidth, kHeight);
+
+CandidateImage findCandidates(const DepthImage& depth) {
+  return CandidateImage(depth, adaptiveParameters(kWidth));
+}
+
+DepthImage noisy(DepthImage depth, double factor) {
+  Random random(5);
+  addNoise({}, factor, random, depth);
+  return depth;
+}
+
+TEST(CrossingDetector, FitsThePlaneAtEachCrossing) {
+  const Surface wall = surfaceAt(1.9, 0.4, -0.2);
+  const CandidateImage found = findCandidates(render(wall, kCamera, kWidth, kHeight));
+  EXPECT_EQ(found.grid.candidates.size(), static_cast<std::size_t>(found.grid.crossings()));
+  for (const CrossingCandidate& candidate : found.grid.candidates) {
+    const PlaneCandidate described = candidate.describe();
+    EXPECT_LT((described.normal - wall.normal).norm(), 1e-3);
+    EXPECT_NEAR(described.d, wall.d, 1e-3);
+    EXPECT_EQ(found.grid.candidate_at[static_cast<std::size_t>(candidate.cell)],
+              static_cast<int>(&candidate - found.grid.candidates.data()));
+  }
+  const std::size_t expected = static_cast<std::size_t>((found.grid.columns - 1) * found.grid.rows +
+                                                        found.grid.columns * (found.grid.rows - 1));
+  EXPECT_EQ(found.grid.links.size(), expected) << "each crossing is linked to its neighbours";
+}
+
+TEST(CrossingDetector, LinksNothingAcrossAStep) {
+  const CandidateImage found =
+      findCandidates(noisy(halves(surfaceAt(1.4), surfaceAt(1.5), kCamera, kWidth, kHeight), 0.5));
+  ASSERT_FALSE(found.grid.links.empty());
+  for (const CandidateGrid::Link& link : found.grid.links) {
+    const CrossingCandidate& a = found.grid.candidates[static_cast<std::size_t>(link.a)];
+    const CrossingCandidate& b = found.grid.candidates[static_cast<std::size_t>(link.b)];
+    EXPECT_EQ(std::abs(a.cell - b.cell) == 1, a.v == b.v);
+    EXPECT_FALSE(std::min(a.u, b.u) < 152 && std::max(a.u, b.u) > 168) << a.u << ' ' << b.u;
+  }
+}
+
+/// A tree of the candidates of an image, merged up to a limit.
+struct Tree : MergeTree {
+  CandidateImage image;
+  explicit Tree(const DepthImage& depth, double limit = 4.4) : image(findCandidates(depth)) {
+    start(image.grid.candidates);
+    mergeLinked(image.grid.links, limit, {1.0 / 16, 1.0 / 4, 1.0, 1.0});
+  }
+
+  std::vector<int> roots() const {
+    std::vector<int> found;
+    for (int i = 0; i < size(); ++i) {
+      if (isRoot(i)) found.push_back(i);
+    }
+    return found;
+  }
+};
+
+TEST(MergeTree, KeepsTheHistoryOfItsMerges) {
+  Tree tree(noisy(render(surfaceAt(2.0), kCamera, kWidth, kHeight), 1.0));
+  const std::vector<int> roots = tree.roots();
+  ASSERT_EQ(roots.size(), 1U);
+  EXPECT_EQ(tree.size(), 2 * tree.leaves() - 1);
+  std::vector<int> candidates = tree.candidatesOf(roots.front());
+  std::sort(candidates.begin(), candidates.end());
+  ASSERT_EQ(candidates.size(), static_cast<std::size_t>(tree.leaves()));
+  for (int i = 0; i < tree.leaves(); ++i) {
+    EXPECT_EQ(candidates[static_cast<std::size_t>(i)], i);
+    EXPECT_EQ(tree.find(i), roots.front());
+  }
+  for (int i = tree.leaves(); i < tree.size(); ++i) {
+    const MergeTree::Node &node = tree.node(i), &left = tree.node(node.left), &right = tree.node(node.right);
+    EXPECT_EQ(node.candidates, left.candidates + right.candidates);
+    EXPECT_NEAR(node.moments.pixels, left.moments.pixels + right.moments.pixels, 1e-9);
+    EXPECT_GE(node.squared_error, left.squared_error + right.squared_error - 1e-6);
+  }
+}
+
+TEST(MergeTree, MergesNothingAtLimitZero) {
+  const Tree tree(noisy(render(surfaceAt(2.0), kCamera, kWidth, kHeight), 1.0), 0.0);
+  EXPECT_EQ(tree.size(), tree.leaves());
+}
+
+TEST(MergeTree, CostIsTheAddedErrorPerPixelOfTheSmaller) {
+  Tree tree(noisy(render(surfaceAt(2.0), kCamera, kWidth, kHeight), 1.0), 0.0);
+  MergeTree::Node both;
+  ASSERT_TRUE(tree.combine(0, 1, both));
+  const MergeTree::Node &a = tree.node(0), &b = tree.node(1);
+  EXPECT_NEAR(tree.costOf(0, 1, both),
+              (both.squared_error - a.squared_error - b.squared_error) / std::min(a.moments.pixels, b.moments.pixels),
+              1e-12);
+  EXPECT_EQ(tree.merge(0, 1, both), tree.leaves());
+  EXPECT_EQ(tree.find(0), tree.leaves());
+  EXPECT_EQ(tree.find(1), tree.leaves());
+}
+
+/// Merges the candidates of the left and of the right half of an image to one cluster each, and asks whether
+/// these are two planes.
+bool areTwoPlanes(const DepthImage& depth) {
+  MergeTree tree;
+  const CandidateImage image = findCandidates(depth);
+  tree.start(image.grid.candidates);
+  int halves[2] = {-1, -1};
+  for (int i = 0; i < tree.leaves(); ++i) {
+    const int u = image.grid.candidates[static_cast<std::size_t>(i)].u;
+    if (std::abs(u - 160) < 12) continue;
+    int& half = halves[u < 160 ? 0 : 1];
+    MergeTree::Node both;
+    if (half >= 0) {
+      EXPECT_TRUE(tree.combine(half, i, both));
+    }
+    half = half < 0 ? i : tree.merge(half, i, both);
+  }
+  MergeTree::Node both;
+  EXPECT_TRUE(tree.combine(halves[0], halves[1], both));
+  return tree.isTwoPlanes(halves[0], halves[1], both);
+}
+
+DepthImage bent(double metres) {
+  DepthImage depth = render(surfaceAt(2.5), kCamera, kWidth, kHeight);
+  for (int v = 0; v < kHeight; ++v) {
+    for (int u = 0; u < kWidth; ++u)
+      depth.row(v)[u] += static_cast<float>(metres * std::pow((u - 160.0) / 160.0, 2));
+  }
+  return noisy(depth, 0.3);
+}
+
+TEST(MergeTree, TellsTwoPlanesFromOneAndFromABentOne) {
+  EXPECT_FALSE(areTwoPlanes(noisy(render(surfaceAt(2.5), kCamera, kWidth, kHeight), 0.3)));
+  EXPECT_TRUE(areTwoPlanes(noisy(halves(surfaceAt(2.5, 0.2), surfaceAt(2.56, 0.2), kCamera, kWidth, kHeight), 0.3)));
+  EXPECT_TRUE(areTwoPlanes(noisy(halves(surfaceAt(2.5, 0.15), surfaceAt(2.5, -0.15), kCamera, kWidth, kHeight), 0.3)));
+  EXPECT_FALSE(areTwoPlanes(bent(0.045))) << "as the sensor's distortion bends a wall";
+}
+
+TEST(MergeTree, OfNothingIsNothing) {
+  MergeTree tree;
+  tree.start({});
+  tree.mergeLinked({}, 1.0, {1.0});
+  EXPECT_EQ(tree.size(), 0);
+}
+
+}  // namespace
+}  // namespace line_plane_segmentation
