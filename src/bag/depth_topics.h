@@ -39,7 +39,7 @@ struct DepthTopic {
   std::size_t guessed = 0;  ///< frames that went with another camera_info than that of their stamp
   std::size_t planes = 0;   ///< total over all frames
   std::size_t refused = 0;  ///< number of frames refused, by the nodelet's rules
-  std::string refusal;      ///< reason for the last one
+  std::string refusal = {};  ///< reason for the last one
 };
 
 /// A frame of a bag.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "plane_samples.h"
+#include "tracking/plane_samples.h"
 
 #include <gtest/gtest.h>
 
