@@ -92,9 +92,9 @@ struct ClusterParameters {
                                ///< Higher -> fewer, larger planes over blunt edges
   double coplanar_cost = 3.5;  ///< [-] the same for planes apart, with an object before the gap; 0 = never.
                                ///< Higher -> more is joined across gaps
-  double max_curvedness = 1.2;  ///< [-] largest mean squared error of a small plane, in tolerances squared.
+  double max_curvedness = 1.0;  ///< [-] largest mean squared error of a small plane, in tolerances squared.
                                 ///< Higher -> pieces of curved things, as people, count as planes
-  double max_waviness = 0.45;   ///< [-] mean square that the patches of a small plane may deviate from it, in
+  double max_waviness = 0.25;   ///< [-] mean square that the patches of a small plane may deviate from it, in
                                 ///< tolerances squared. Higher -> people and rough things count as planes
   double max_bend = 0.1;  ///< [-] mean square that a small plane may deviate as a curved surface would, in
                           ///< tolerances squared. Higher -> pieces of smooth curved things count as planes

@@ -139,7 +139,7 @@ bool loadPreset(const std::string& name, Parameters& parameters) {
     parameters.noise = {0.0007, 0.0, 0.0, 1.0};  // steps of 1.3 mm, near and far
     parameters.scanlines.min_range = 0.1;
     parameters.scanlines.scanline_spacing = 5;
-    parameters.lines.line_window = 5;
+    parameters.lines.line_window = 3;
     parameters.patches.patch_noise_factor = 1.5;
     parameters.patches.patch_distance = 1e-5;
     parameters.patches.patch_flatness = 3.0;
@@ -150,7 +150,8 @@ bool loadPreset(const std::string& name, Parameters& parameters) {
     parameters.extraction.plane_distance = 1e-4;
     parameters.extraction.neighbor_distance = 0.005;
     parameters.extraction.distance_noise_factor = 4.0;
-    parameters.extraction.min_plane_inliers = 80;
+    parameters.extraction.min_plane_inliers = 120;
+    parameters.clusters.min_patches = 4;
     parameters.cleanup.min_region_pixels = 30;
   } else {
     return false;
