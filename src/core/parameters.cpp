@@ -146,6 +146,7 @@ bool loadPreset(const std::string& name, Parameters& parameters) {
     parameters.clusters.merge_cost = 5.0;
     parameters.clusters.coplanar_cost = 0.0;  // every face for itself
     parameters.clusters.max_curvedness = 1000.0;
+    parameters.clusters.max_waviness = 0.45;
     parameters.clusters.max_bend = 1000.0;
     parameters.extraction.plane_distance = 1e-4;
     parameters.extraction.neighbor_distance = 0.005;
