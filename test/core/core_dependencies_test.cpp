@@ -44,29 +44,34 @@ TEST(CoreDependencies, AreTheLibrariesOfTheCompilerOnly) {
 
 TEST(CoreDependencies, AreEigenAndTheStandardInEveryFile) {
   int files = 0;
-  for (const char* folder : {"/src/core", "/include/line_plane_segmentation"}) {
-    for (const fs::directory_entry& entry : fs::directory_iterator(std::string(SOURCE_FOLDER) + folder)) {
-      if (!entry.is_regular_file() || entry.path().filename() == "CMakeLists.txt") continue;
+  const std::string include = std::string(SOURCE_FOLDER) + "/include/line_plane_segmentation";
+  for (const std::string& folder : {std::string(SOURCE_FOLDER) + "/src/core", include}) {
+    for (auto entry = fs::recursive_directory_iterator(folder); entry != fs::recursive_directory_iterator();
+         ++entry) {
+      // Headers of the ROS side and of the simulation are in folders of their own.
+      if (entry->is_directory() && folder == include) entry.disable_recursion_pending();
+      if (!entry->is_regular_file() || entry->path().filename() == "CMakeLists.txt") continue;
       ++files;
-      std::ifstream stream(entry.path());
+      std::ifstream stream(entry->path());
       const std::string text((std::istreambuf_iterator<char>(stream)), std::istreambuf_iterator<char>());
       for (const std::string& header : matchesOf("#include <([^>]*)>", text)) {
         // The standard's headers have neither folders nor suffixes.
         const bool is_standard = header.find_first_of("/.") == std::string::npos;
-        EXPECT_TRUE(is_standard || header.rfind("Eigen/", 0) == 0) << entry.path() << " includes " << header;
+        EXPECT_TRUE(is_standard || header.rfind("Eigen/", 0) == 0) << entry->path() << " includes " << header;
       }
       for (const std::string& header : matchesOf("#include \"([^\"]*)\"", text)) {
         const bool is_public = header.rfind("line_plane_segmentation/", 0) == 0;
         const std::string within = is_public ? header.substr(24) : header;
-        EXPECT_EQ(within.find('/'), std::string::npos) << entry.path() << " leaves the core: " << header;
+        EXPECT_TRUE(!is_public || within.find('/') == std::string::npos)
+            << entry->path() << " leaves the core: " << header;
         const std::string source = std::string(SOURCE_FOLDER) +
                                    (is_public ? "/include/line_plane_segmentation/" : "/src/core/") + within;
         EXPECT_TRUE(fs::exists(source))
-            << entry.path() << " includes a file that is made elsewhere: " << header;
+            << entry->path() << " includes a file that is made elsewhere: " << header;
       }
     }
   }
-  EXPECT_GT(files, 20) << "looked in the wrong place: " SOURCE_FOLDER;
+  EXPECT_GT(files, 60) << "looked in the wrong place: " SOURCE_FOLDER;
 }
 
 }  // namespace
