@@ -100,8 +100,7 @@ TEST(PerforatedImages, HaveThePlanesOfTheDenseImage) {
       ++labelled;
     }
     EXPECT_EQ(labelled, result.assigned_pixels);
-    for (const SegmentedPlane& plane : result.planes)
-      EXPECT_NEAR(plane.d, surfaceAt(1.8, 0.5).d, 0.02);
+    for (const SegmentedPlane& plane : result.planes) EXPECT_NEAR(plane.d, surfaceAt(1.8, 0.5).d, 0.02);
   }
 }
 
@@ -113,7 +112,8 @@ TEST(SizesInTheView, FollowTheAngleThatAPixelSees) {
     camera.fx = camera.fy = focal_length;
     DepthImage depth = render(wall, camera, width, height);
     const auto pixel = [&](double x, double centre) { return static_cast<int>(centre + x * focal_length); };
-    paint(box, camera, {pixel(-0.06, camera.cx), pixel(0.06, camera.cx), pixel(-0.05, camera.cy), pixel(0.05, camera.cy)},
+    paint(box, camera,
+          {pixel(-0.06, camera.cx), pixel(0.06, camera.cx), pixel(-0.05, camera.cy), pixel(0.05, camera.cy)},
           depth);
     const std::vector<std::uint16_t> pixels = toMillimetres(depth);
     PlaneSegmenter segmenter;

@@ -114,8 +114,9 @@ TEST(LineGrower, GrowsOneSegmentPerScanlineOfAPlane) {
 }
 
 TEST(LineGrower, SplitsAtAStepAndAtACrease) {
-  for (const DepthImage& depth : {halves(surfaceAt(1.4), surfaceAt(1.5), kCamera, kWidth, kHeight),
-                                  halves(surfaceAt(1.8, 0.4), surfaceAt(1.8, -0.4), kCamera, kWidth, kHeight)}) {
+  for (const DepthImage& depth :
+       {halves(surfaceAt(1.4), surfaceAt(1.5), kCamera, kWidth, kHeight),
+        halves(surfaceAt(1.8, 0.4), surfaceAt(1.8, -0.4), kCamera, kWidth, kHeight)}) {
     const std::vector<GrownSegment> segments = Lines(noisy(depth, 0.5)).ofMiddleRow();
     ASSERT_EQ(segments.size(), 2U);
     EXPECT_NEAR(segments[0].last * 5, 160, 10);
@@ -163,11 +164,12 @@ TEST(DescribeSegments, CountsThePointsBetweenTheEnds) {
     EXPECT_GT(segment.covariance.trace(), 0.0);
 
     // Points of the segment lie on its polar form (Eq. 1-3).
-    const double across = static_cast<double>(
-        (is_row ? kRays.y : kRays.x)[static_cast<std::size_t>(segment.scanline)]);
+    const double across =
+        static_cast<double>((is_row ? kRays.y : kRays.x)[static_cast<std::size_t>(segment.scanline)]);
     const double k = std::sqrt(across * across + 1.0);
     for (const int i : {segment.first, segment.last}) {
-      const double z = static_cast<double>(is_row ? depth.at(i, segment.scanline) : depth.at(segment.scanline, i));
+      const double z =
+          static_cast<double>(is_row ? depth.at(i, segment.scanline) : depth.at(segment.scanline, i));
       const double along = static_cast<double>((is_row ? kRays.x : kRays.y)[static_cast<std::size_t>(i)]);
       EXPECT_NEAR(k * z * std::cos(segment.alpha) + along * z * std::sin(segment.alpha), segment.r, 1e-4);
     }

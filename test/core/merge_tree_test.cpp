@@ -104,9 +104,10 @@ TEST(MergeTree, CostIsTheAddedErrorPerPixelOfTheSmaller) {
   MergeTree::Node both;
   ASSERT_TRUE(tree.combine(0, 1, both));
   const MergeTree::Node &a = tree.node(0), &b = tree.node(1);
-  EXPECT_NEAR(tree.costOf(0, 1, both),
-              (both.squared_error - a.squared_error - b.squared_error) / std::min(a.moments.pixels, b.moments.pixels),
-              1e-12);
+  EXPECT_NEAR(
+      tree.costOf(0, 1, both),
+      (both.squared_error - a.squared_error - b.squared_error) / std::min(a.moments.pixels, b.moments.pixels),
+      1e-12);
   EXPECT_EQ(tree.merge(0, 1, both), tree.leaves());
   EXPECT_EQ(tree.find(0), tree.leaves());
   EXPECT_EQ(tree.find(1), tree.leaves());
@@ -145,8 +146,10 @@ DepthImage bent(double metres) {
 
 TEST(MergeTree, TellsTwoPlanesFromOneAndFromABentOne) {
   EXPECT_FALSE(areTwoPlanes(noisy(render(surfaceAt(2.5), kCamera, kWidth, kHeight), 0.3)));
-  EXPECT_TRUE(areTwoPlanes(noisy(halves(surfaceAt(2.5, 0.2), surfaceAt(2.56, 0.2), kCamera, kWidth, kHeight), 0.3)));
-  EXPECT_TRUE(areTwoPlanes(noisy(halves(surfaceAt(2.5, 0.15), surfaceAt(2.5, -0.15), kCamera, kWidth, kHeight), 0.3)));
+  EXPECT_TRUE(
+      areTwoPlanes(noisy(halves(surfaceAt(2.5, 0.2), surfaceAt(2.56, 0.2), kCamera, kWidth, kHeight), 0.3)));
+  EXPECT_TRUE(areTwoPlanes(
+      noisy(halves(surfaceAt(2.5, 0.15), surfaceAt(2.5, -0.15), kCamera, kWidth, kHeight), 0.3)));
   EXPECT_FALSE(areTwoPlanes(bent(0.045))) << "as the sensor's distortion bends a wall";
 }
 

@@ -100,7 +100,7 @@ struct Assignment : ClusteredImage {
       const double in_reach =
           std::abs(difference) / reach.along(is_in_image ? clusters[best].plane.at(intersection, y) : rho);
       // Farther away than a tile, the reach is that of the border of the columns compared.
-      const double tile = grid.spacing * (rays.x[1] - rays.x[0]);
+      const double tile = grid.spacing * static_cast<double>(rays.x[1] - rays.x[0]);
       is_close |= !is_in_image || std::abs(intersection - x) > tile;
       if (in_reach > 2.0) continue;
       ++creases_here;

@@ -200,8 +200,8 @@ TEST(PlaneClusterer, OfNothingIsNothing) {
   EXPECT_TRUE(found.cluster_of.empty());
   std::vector<PlaneCluster> clusters(3);
   std::vector<int> cluster_of(3);
-  PlaneClusterer().cluster(blankDepth(0, 0), ViewRays{}, CandidateGrid{}, adaptiveParameters(kWidth), clusters,
-                           cluster_of);
+  PlaneClusterer().cluster(blankDepth(0, 0), ViewRays{}, CandidateGrid{}, adaptiveParameters(kWidth),
+                           clusters, cluster_of);
   EXPECT_TRUE(clusters.empty());
   EXPECT_TRUE(cluster_of.empty());
 }
