@@ -19,12 +19,30 @@ constexpr double kDistortedFraction = 0.045;
 constexpr double kMaxResidualRatio = 0.25;
 constexpr int kMinCurved = 8;  // candidates: a quadric has six parameters
 
-// Fewest candidates that constrain a plane's tilt better than all of its pixels do.
-constexpr int kMinSteady = 8;
+// A plane whose candidates span fewer scanlines than this in either direction is narrow: most of their
+// windows end at its borders.
+constexpr int kMinScanlines = 3;
 
 double allowDistortion(double bound, double fraction) {
   const double relative = fraction / kDistortedFraction;
   return bound * (1.0 + relative * relative);
+}
+
+// Whether candidates span few rows or few columns of the grid.
+bool isNarrow(const std::vector<int>& candidates, const CandidateGrid& grid) {
+  int first_column = grid.columns, last_column = 0, first_row = grid.rows, last_row = 0;
+  for (const int i : candidates) {
+    const int cell = grid.candidates[static_cast<std::size_t>(i)].cell;
+    const int column = cell % grid.columns, row = cell / grid.columns;
+    first_column = std::min(first_column, column);
+    last_column = std::max(last_column, column);
+    first_row = std::min(first_row, row);
+    last_row = std::max(last_row, row);
+  }
+  const int columns = last_column - first_column + 1, rows = last_row - first_row + 1;
+  // A slanted strip spans many of both, but fills little of them.
+  const bool is_strip = static_cast<int>(candidates.size()) < kMinScanlines * std::max(columns, rows);
+  return std::min(columns, rows) < kMinScanlines || is_strip;
 }
 
 }  // namespace
@@ -104,10 +122,11 @@ void PlaneClusterer::cluster(const DepthImage& depth, const ViewRays& rays, cons
   cluster_of.assign(grid.candidates.size(), -1);
   for (const int plane : planes_) {
     if (clusters.size() == kMaxClusters) break;
-    for (const int candidate : tree_.candidatesOf(plane))
+    const std::vector<int>& candidates = tree_.candidatesOf(plane);
+    for (const int candidate : candidates)
       cluster_of[static_cast<std::size_t>(candidate)] = static_cast<int>(clusters.size());
     const MergeTree::Node& node = tree_.node(plane);
-    clusters.push_back({node, node.candidates, node.candidates < kMinSteady});
+    clusters.push_back({node, node.candidates, isNarrow(candidates, grid)});
   }
 }
 
