@@ -35,11 +35,11 @@ struct DepthTopic {
   std::string result_namespace;  ///< namespace of its results, such as "/camera/plane_segmenter"
   InfoMatcher matcher;
   std::size_t images = 0;
-  std::size_t frames = 0;   ///< number of segmented frames
-  std::size_t guessed = 0;  ///< frames that went with another camera_info than that of their stamp
-  std::size_t planes = 0;   ///< total over all frames
-  std::size_t refused = 0;  ///< number of frames refused, by the nodelet's rules
-  std::string refusal;      ///< reason for the last one
+  std::size_t frames = 0;    ///< number of segmented frames
+  std::size_t guessed = 0;   ///< frames that went with another camera_info than that of their stamp
+  std::size_t planes = 0;    ///< total over all frames
+  std::size_t refused = 0;   ///< number of frames refused, by the nodelet's rules
+  std::string refusal = {};  ///< reason for the last one
 };
 
 /// A frame of a bag.

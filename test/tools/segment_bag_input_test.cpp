@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // segment_bag on bags as robots, drivers and viewers record them.
-#include "compressed_depth_messages.h"
+#include "ros/compressed_depth_messages.h"
 #include "segment_bag_fixture.h"
 
 namespace line_plane_segmentation {
