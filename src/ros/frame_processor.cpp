@@ -82,7 +82,6 @@ bool FrameProcessor::mayWait(const CameraFrame& frame) {
 CameraPlaces FrameProcessor::findPlaces(const CameraFrame& frame) {
   constexpr std::chrono::milliseconds kPause(2);
   CameraPlaces places = locator_.lookUp(segmenter_.header());
-  if (locator_.clearIfClockWentBack(places, clock_jump_)) places = locator_.lookUp(segmenter_.header());
   while (mayCome(places) && mayWait(frame)) {
     std::this_thread::sleep_for(kPause);
     places = locator_.lookUp(segmenter_.header());
