@@ -172,7 +172,6 @@ class BagSegmentation {
     while (mayCome() && read_until_.toSec() < latest && ready_.size() < kMaxWaiting && readOne()) {
       places = locator.lookUp(header);
     }
-    locator.clearIfClockWentBack(places, clock_jump_);
     locator.fallBack(header, places);
     return places;
   }
@@ -247,7 +246,6 @@ class BagSegmentation {
   std::deque<BagFrame> ready_;
   BagTransforms transforms_;
   ros::Time read_until_;
-  ClockJump clock_jump_{30, std::chrono::seconds(0)};
   std::map<const DepthTopic*, PlaneLocator> locators_;
   bool gravity_found_ = false;
   bool fixed_found_ = false;

@@ -31,7 +31,9 @@ bool BagTransforms::wants(const std::string& topic, const std::string& datatype)
 void BagTransforms::add(const BagMessage& message) {
   if (!wants(message.topic, message.content->getDataType())) return;
   for (const auto& transform : messageOf(*message.content).transforms) {
-    buffer_.setTransform(transform, "bag", message.topic == kStatic);
+    const bool is_static = message.topic == kStatic;
+    if (!is_static && clock_.wentBack(transform.child_frame_id, transform.header.stamp)) buffer_.clear();
+    buffer_.setTransform(transform, "bag", is_static);
   }
 }
 

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "bag_input.h"
+#include "transform_lookup.h"
 
 namespace line_plane_segmentation {
 
@@ -22,6 +23,7 @@ class BagTransforms {
 
  private:
   tf2::BufferCore buffer_;
+  ClockWatch clock_;
 };
 
 }  // namespace line_plane_segmentation

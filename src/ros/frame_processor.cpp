@@ -86,7 +86,6 @@ CameraPlaces FrameProcessor::findPlaces(const CameraFrame& frame) {
     std::this_thread::sleep_for(kPause);
     places = locator_.lookUp(segmenter_.header());
   }
-  locator_.clearIfClockWentBack(places, clock_jump_);
   locator_.fallBack(segmenter_.header(), places);
   return places;
 }

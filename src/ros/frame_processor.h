@@ -59,7 +59,6 @@ class FrameProcessor {
   bool tracing_outlines_ = true;
   // Per lookup: since when tf has not known its frames; empty if it knows them.
   std::array<std::optional<std::chrono::steady_clock::time_point>, CameraPlaces::kCount> unknown_since_;
-  ClockJump clock_jump_{3, std::chrono::seconds(1)};
 
   FrameWorker worker_;  // last: its thread uses all of the above
 };

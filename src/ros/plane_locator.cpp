@@ -17,12 +17,6 @@ bool CameraPlaces::has(TransformLookup::Answer answer) const {
                      [answer](const TransformLookup* lookup) { return lookup->answer == answer; });
 }
 
-bool CameraPlaces::isTooOld() const {
-  const std::array lookups = all();
-  return std::any_of(lookups.begin(), lookups.end(),
-                     [](const TransformLookup* lookup) { return lookup->is_too_old; });
-}
-
 void PlaneLocator::setParameters(const LocationParameters& parameters) {
   // Poses in different fixed frames have no common motion.
   if (parameters.frames.fixed_frame != parameters_.frames.fixed_frame) last_pose_.reset();
@@ -47,12 +41,6 @@ void PlaneLocator::fallBack(const std_msgs::Header& header, CameraPlaces& places
   if (!places.target.found()) places.target = latest.target;
   if (!places.gravity.found()) places.gravity = latest.gravity;
   if (!places.fixed.found()) places.fixed = latest.fixed;
-}
-
-bool PlaneLocator::clearIfClockWentBack(const CameraPlaces& places, ClockJump& jump) {
-  if (!jump.add(places.isTooOld(), std::chrono::steady_clock::now())) return false;
-  transforms_.clear();
-  return true;
 }
 
 bool PlaneLocator::isAnotherTime(const ros::Time& stamp) const {

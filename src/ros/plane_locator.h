@@ -30,9 +30,6 @@ struct CameraPlaces {
 
   /// Returns true if any lookup has this answer.
   bool has(TransformLookup::Answer answer) const;
-
-  /// Whether any of them is too old for tf.
-  bool isTooOld() const;
 };
 
 /// Computes target-frame coordinates, orientation and ids of the planes of consecutive images. Never waits
@@ -51,11 +48,6 @@ class PlaneLocator {
 
   /// Replaces what was not found by the newest that tf knows, if tf_fallback says so.
   void fallBack(const std_msgs::Header& header, CameraPlaces& places) const;
-
-  /// Empties tf if its clock has gone back.
-  /// @param jump  what counts as that; once for each image
-  /// @return whether it was emptied
-  bool clearIfClockWentBack(const CameraPlaces& places, ClockJump& jump);
 
   /// Computes what is published for the planes. Ids restart if timestamps jump back, or forward by more
   /// than a minute.

@@ -58,9 +58,10 @@ TransformLookup lookUp(const tf2::BufferCore& buffer, const std::string& target,
     lookup.problem = exception.what();
     const ros::Time known = newest(buffer, target, source);
     // ros::Time::operator- throws if the difference is too large.
-    lookup.is_too_old = known.toSec() - time.toSec() > tf2::BufferCore::DEFAULT_CACHE_TIME;
+    // Where the clock goes back, the transforms of the new time come at about the time of the image.
+    const bool is_too_old = known.toSec() - time.toSec() > tf2::BufferCore::DEFAULT_CACHE_TIME;
     lookup.missed_by = std::max(0.0, time.toSec() - known.toSec());
-    if (known.isZero() || lookup.is_too_old) {
+    if (known.isZero() || is_too_old) {
       lookup.answer = Answer::kUnknown;
     } else if (known < time || buffer.canTransform(target, source, time)) {
       // Or it arrived between the two lookups; the next one then finds it.
@@ -88,16 +89,15 @@ std::string explain(const TransformLookup& lookup, double patience) {
   return text.str();
 }
 
-bool ClockJump::add(bool is_too_old, TimePoint now) {
-  if (!is_too_old) {
-    count_ = 0;
-    return false;
+bool ClockWatch::wentBack(const std::string& child, const ros::Time& stamp) {
+  ros::Time& newest = newest_[child];
+  // ros::Time::operator- throws if the difference is too large.
+  if (newest.toSec() - stamp.toSec() > tf2::BufferCore::DEFAULT_CACHE_TIME) {
+    newest_ = {{child, stamp}};
+    return true;
   }
-  if (count_ == 0) since_ = now;
-  ++count_;
-  if (count_ < images_ || now - since_ < duration_) return false;
-  count_ = 0;
-  return true;
+  newest = std::max(newest, stamp);
+  return false;
 }
 
 }  // namespace line_plane_segmentation

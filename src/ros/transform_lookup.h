@@ -5,7 +5,7 @@
 #include <tf2/buffer_core.h>
 
 #include <Eigen/Geometry>
-#include <chrono>
+#include <map>
 #include <string>
 
 namespace line_plane_segmentation {
@@ -24,7 +24,6 @@ struct TransformLookup {
       Eigen::Isometry3d::Identity();  ///< if found: maps points of `source` to `target`
   std::string problem;                ///< if not found: message of tf
   double missed_by = 0.0;             ///< [s] if kLate: how much older the newest transform is
-  bool is_too_old = false;            ///< the buffer holds nothing but transforms from long after the time
 
   bool found() const { return answer == Answer::kFound; }
 };
@@ -38,28 +37,18 @@ TransformLookup lookUp(const tf2::BufferCore& buffer, const std::string& target,
 /// @param patience  [s] that was waited for it
 std::string explain(const TransformLookup& lookup, double patience);
 
-/// Decides when tf's clock has gone back, because a bag plays again from its start: the buffer then has to be
-/// emptied, since it refuses all that comes until it is as late again as it was. A few images with old stamps
-/// are no reason.
-class ClockJump {
+/// Detects that tf's clock has gone back, because a bag plays again from its start: the stamps of one frame
+/// fall by more than the buffer holds. A publisher that is always late, or an image with an old stamp, is no
+/// such jump.
+class ClockWatch {
  public:
-  using TimePoint = std::chrono::steady_clock::time_point;
-
-  /// @param images    that are too old, one after another
-  /// @param duration  for so long
-  ClockJump(int images, std::chrono::steady_clock::duration duration)
-      : images_(images), duration_(duration) {}
-
-  /// Takes note of an image.
-  /// @param is_too_old  as of the lookups of its transforms
-  /// @return whether the clock has gone back
-  bool add(bool is_too_old, TimePoint now);
+  /// Takes note of a transform.
+  /// @param child  its child frame
+  /// @return whether the clock has gone back; the frames are then forgotten
+  bool wentBack(const std::string& child, const ros::Time& stamp);
 
  private:
-  int images_;
-  std::chrono::steady_clock::duration duration_;
-  int count_ = 0;
-  TimePoint since_;
+  std::map<std::string, ros::Time> newest_;  // per child frame
 };
 
 }  // namespace line_plane_segmentation

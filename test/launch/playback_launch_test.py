@@ -63,7 +63,7 @@ def write_bag(path, namespace):
 def comparable(message):
     """The bytes of a PlaneArray but for what differs from run to run: the time that it took, and ROS's own seq."""
     copy_of_it = copy.deepcopy(message)
-    copy_of_it.processing_time = 0
+    copy_of_it.processing_time = copy_of_it.processing_seconds = 0
     copy_of_it.header.seq = 0
     buffer = io.BytesIO()
     copy_of_it.serialize(buffer)

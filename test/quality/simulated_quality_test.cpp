@@ -111,7 +111,8 @@ struct CreasePixels {
 /// The frames of a range of rooms, and what was measured on them.
 struct MeasuredRooms {
   std::vector<LabelledFrame> frames;
-  PlaneErrors errors;    // over uprightVariants()
+  PlaneErrors errors;  // over uprightVariants()
+  PlaneErrors as_recorded;
   CreasePixels creases;  // over uprightVariants()
 };
 
@@ -128,6 +129,8 @@ class SimulatedQuality : public testing::Test {
         const RegionOverlaps regions =
             countOverlaps(view.truthPixels(), segmentation.labels.data(), segmentation.labels.size());
         addErrors(frame.rendering.planes, segmentation, regions, seen().errors);
+        if (isAsRecorded(variant))
+          addErrors(frame.rendering.planes, segmentation, regions, seen().as_recorded);
         seen().creases.add(view, segmentation, regions);
       }
     });
@@ -156,14 +159,14 @@ void expectInRooms(const QualityFigures& floors, double max_curved,
   EXPECT_LE(curved, max_curved);
 }
 
-TEST_F(SimulatedQuality, ofSeenRooms) { expectInRooms({0.67, 0.755, 0.90, 0.94}, 0.20, seen().frames); }
+TEST_F(SimulatedQuality, ofSeenRooms) { expectInRooms({0.67, 0.68, 0.755, 0.90, 0.94}, 0.20, seen().frames); }
 
 TEST_F(SimulatedQuality, ofUnseenRoomsThatDecide) {
-  expectInRooms({0.645, 0.76, 0.915, 0.895}, 0.39, framesOf(kDecidingRooms));
+  expectInRooms({0.645, 0.655, 0.76, 0.915, 0.895}, 0.39, framesOf(kDecidingRooms));
 }
 
 TEST_F(SimulatedQuality, ofUnseenRoomsThatConfirm) {
-  expectInRooms({0.605, 0.72, 0.925, 0.92}, 0.13, framesOf(kConfirmingRooms));
+  expectInRooms({0.605, 0.62, 0.72, 0.925, 0.92}, 0.13, framesOf(kConfirmingRooms));
 }
 
 TEST_F(SimulatedQuality, ofPixelsWherePlanesMeet) {
@@ -195,6 +198,7 @@ TEST_F(SimulatedQuality, ofCovariances) {
             << quantile(nees, 0.5) << " (chi-squared: " << kChiSquaredMedian << ")" << std::endl;
   EXPECT_GE(share, 0.94);
   EXPECT_GE(quantile(nees, 0.5), 0.85) << "the share is of no worth where every covariance is too large";
+  EXPECT_GE(quantile(seen().as_recorded.nees, 0.5), 0.9);
 }
 
 }  // namespace

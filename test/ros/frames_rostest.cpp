@@ -254,6 +254,22 @@ TEST_F(Frames, waitsWhereTimeHasGoneBack) {
   }
 }
 
+// The buffer is not emptied for a few images with old stamps: those of now keep their transforms.
+TEST_F(Frames, keepsItsTransformsWhenImagesAreOld) {
+  reconfigure([](PlaneSegmenterConfig& config) { config.target_frame = config.gravity_frame = "world"; });
+  ASSERT_TRUE(answersSoon("world"));
+  const ros::Time first = nextStamp(), last = nextStamp();
+  sendTransform("world", first);
+  sendTransform("world", last);
+  publish(last);
+  ASSERT_TRUE(planes_->waitFor(last));
+  for (int i = 0; i < 8; ++i) publish(last - ros::Duration(20.0 - 0.1 * i));
+  spinFor(1.0);
+  const ros::Time between = first + ros::Duration(0.05);
+  publish(between);
+  EXPECT_TRUE(planes_->waitFor(between));
+}
+
 // A bag of 20 s played in a loop without a clock: tf is not notified that time jumps back.
 TEST_F(Frames, goesOnWhenABagBeginsAgain) {
   sendStaticTransform();

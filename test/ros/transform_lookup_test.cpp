@@ -99,9 +99,7 @@ TEST_F(Lookup, takesTheNewestForTimeZero) {
 TEST_F(Lookup, tellsWhatIsTooOldForTf) {
   for (int i = 0; i <= 20; ++i) put(1000.0 + i, 1.0);
   EXPECT_EQ(Answer::kUnknown, ask(500.0)) << "from now on those of the new time may come";
-  EXPECT_TRUE(lookup_.is_too_old);
   EXPECT_EQ(Answer::kFound, ask(1015.0)) << "one old image has emptied the buffer";
-  EXPECT_FALSE(lookup_.is_too_old);
 }
 
 TEST_F(Lookup, tellsByHowMuchItWasMissed) {
@@ -129,17 +127,21 @@ TEST_F(Lookup, refusesWhatIsNotAPosition) {
   }
 }
 
-TEST(ClockJump, needsManyImagesForLong) {
-  ClockJump jump(3, std::chrono::seconds(1));
-  ClockJump::TimePoint now{};
-  const auto add = [&](bool is_too_old) {
-    return jump.add(is_too_old, now += std::chrono::milliseconds(100));
+TEST(ClockWatch, tellsWhenTheStampsOfAFrameFall) {
+  ClockWatch clock;
+  const auto at = [&clock](const char* child, double seconds) {
+    return clock.wentBack(child, ros::Time(seconds));
   };
-  for (int i = 0; i < 8; ++i) EXPECT_FALSE(add(true)) << "8 old images";
-  EXPECT_FALSE(add(false));
-  for (int i = 0; i < 10; ++i) EXPECT_FALSE(add(true)) << i;
-  EXPECT_TRUE(add(true));
-  EXPECT_FALSE(add(true)) << "it begins anew";
+  EXPECT_FALSE(at("camera", 1000.0));
+  EXPECT_FALSE(at("late", 500.0)) << "a publisher that is always late";
+  EXPECT_FALSE(at("camera", 1001.0));
+  EXPECT_FALSE(at("late", 501.0));
+  EXPECT_FALSE(at("camera", 995.0)) << "out of order, within what tf holds";
+  EXPECT_TRUE(at("camera", 990.0)) << "compared with the newest";
+  EXPECT_FALSE(at("late", 300.0)) << "the clock of all frames went back";
+  EXPECT_FALSE(at("camera", 990.1));
+  EXPECT_TRUE(at("camera", 1.0));
+  EXPECT_FALSE(at("camera", 5000.0)) << "forward";
 }
 
 }  // namespace

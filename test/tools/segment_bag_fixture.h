@@ -42,7 +42,9 @@ class SegmentBagInput : public testing::Test {
     for (std::size_t i = 0; i < arrays.size(); ++i) {
       ASSERT_EQ(arrays[i]->planes.size(), 1U) << i;
       EXPECT_NEAR(arrays[i]->planes[0].coefficients.coef[3], distance, 0.002 * distance);
-      if (i > 0) EXPECT_LT(arrays[i - 1]->header.stamp, arrays[i]->header.stamp);
+      if (i > 0) {
+        EXPECT_LT(arrays[i - 1]->header.stamp, arrays[i]->header.stamp);
+      }
     }
   }
 
