@@ -33,6 +33,9 @@ PlaneCluster seen(const Surface& surface, double noise, Random& random) {
       one.rho_rho = w * w;
       one.scale(1.0 / (kNoise * kNoise));
       cluster.moments += one;
+      // Each pixel is a candidate here.
+      cluster.means += one;
+      ++cluster.candidates;
     }
   }
   EXPECT_TRUE(cluster.moments.fit(cluster.plane, cluster.squared_error));

@@ -246,7 +246,7 @@ TEST_F(Presets, giveWayToWhatIsChangedBesideOrAfterThem) {
   config_.max_range = 2.0;
   request();
   EXPECT_EQ(2.0, current_.method.scanlines.max_range);
-  EXPECT_EQ(80, current_.method.extraction.min_plane_inliers);
+  EXPECT_EQ(120, current_.method.extraction.min_plane_inliers);
   EXPECT_EQ("custom", config_.preset) << "it is not the preset any more";
 
   config_.max_range = Parameters{}.scanlines.max_range;

@@ -5,12 +5,16 @@
 #include <cmath>
 #include <cstddef>
 
-#include "planes/distortion.h"
 
 namespace line_plane_segmentation {
 namespace {
 
 constexpr std::size_t kMaxClusters = 65534;  // 16-bit labels; 65535 marks invalid depth
+
+// Residual sensor distortion bends a plane smoothly, so that its deviation grows with the square of its
+// extent and the mean square with the square of the fraction of the image that it covers. At this fraction
+// the bounds for small planes are doubled.
+constexpr double kDistortedFraction = 0.045;
 
 // A cluster is curved if a quadric surface leaves less than this fraction of its variance about a plane.
 constexpr double kMaxResidualRatio = 0.25;
@@ -19,6 +23,9 @@ constexpr int kMinCurved = 8;  // candidates: a quadric has six parameters
 // A plane whose candidates span fewer scanlines than this in either direction is narrow: most of their
 // windows end at its borders.
 constexpr int kMinScanlines = 3;
+
+// So few candidates leave most of a plane's pixels out.
+constexpr int kFewCandidates = 20;
 
 // Whether candidates span few rows or few columns of the grid.
 bool isNarrow(const std::vector<int>& candidates, const CandidateGrid& grid) {
@@ -34,7 +41,12 @@ bool isNarrow(const std::vector<int>& candidates, const CandidateGrid& grid) {
   const int columns = last_column - first_column + 1, rows = last_row - first_row + 1;
   // A slanted strip spans many of both, but fills little of them.
   const bool is_strip = static_cast<int>(candidates.size()) < kMinScanlines * std::max(columns, rows);
-  return std::min(columns, rows) < kMinScanlines || is_strip;
+  return std::min(columns, rows) < kMinScanlines || is_strip || static_cast<int>(candidates.size()) < kFewCandidates;
+}
+
+double allowDistortion(double bound, double fraction) {
+  const double relative = fraction / kDistortedFraction;
+  return bound * (1.0 + relative * relative);
 }
 
 }  // namespace
@@ -95,7 +107,7 @@ void PlaneClusterer::addPlanes(int root, double fraction_per_candidate, int min_
 void PlaneClusterer::cluster(const DepthImage& depth, const ViewRays& rays, const CandidateGrid& grid,
                              const Parameters& parameters, std::vector<PlaneCluster>& clusters,
                              std::vector<int>& cluster_of) {
-  tree_.start(grid.candidates, grid.fractionPerCandidate());
+  tree_.start(grid.candidates);
   tree_.mergeLinked(grid.links, parameters.clusters.merge_cost,
                     {1.0 / 64, 1.0 / 16, 1.0 / 8, 1.0 / 4, 1.0 / 2, 1.0, 1.0});
 
@@ -124,7 +136,7 @@ void PlaneClusterer::addCluster(int i, bool is_plane, const CandidateGrid& grid,
   for (const int candidate : candidates)
     cluster_of[static_cast<std::size_t>(candidate)] = static_cast<int>(clusters.size());
   const MergeTree::Node& node = tree_.node(i);
-  clusters.push_back({node, node.candidates, is_plane, is_plane && isNarrow(candidates, grid)});
+  clusters.push_back({node, node.candidates, node.means, is_plane, is_plane && isNarrow(candidates, grid)});
 }
 
 }  // namespace line_plane_segmentation

@@ -16,21 +16,22 @@ struct PlaneEstimate {
   Covariance4d covariance = Covariance4d::Zero();     ///< of (normal, d)
 };
 
-/// The plane of a cluster of patches. Its regression weighs every pixel by the sensor's noise there, and
+/// The plane of a cluster of candidates. Its regression weighs every pixel by the sensor's noise there, and
 /// knows only pixels of straight windows, none of the borders where surfaces run into each other: a surer
 /// estimate than a fit to all pixels with the plane's label.
 ///
-/// The covariance is that of the regression, from what the pixels deviate, times a factor for errors that
-/// pixels have in common: each is counted in up to two windows, and the steps of the disparity move
-/// neighbours alike.
+/// The covariance is that of the regression of the candidates' mean points, from what these deviate from the
+/// plane, times a factor for errors that neighbouring candidates share, such as the steps of the disparity.
 PlaneEstimate estimatePlane(const PlaneCluster& cluster);
 
-/// The plane of a narrow surface, whose patches reach its borders, or of one beside a step: by PCA of all
-/// pixels with its label.
+/// The plane of a narrow surface, whose candidates reach its borders: by regression of all pixels with its
+/// label along their rays. (The axes of their principal components follow the noise where the surface is as
+/// narrow as the noise is large.)
 ///
 /// The errors of its pixels are shared by many of them, since the disparity's steps run along the surface and
 /// at its borders pixels see something else, too: its covariance takes them for no more than eight
 /// independent ones.
+/// @param fit  the plane if the pixels are too few for a regression
 PlaneEstimate estimateFromPixels(const PlaneFit& fit, const PointMoments& moments);
 
 }  // namespace line_plane_segmentation
