@@ -8,6 +8,7 @@
 #include <string>
 
 #include "depth_array.h"
+#include "initialised.h"
 #include "line_plane_segmentation/palette.h"
 #include "line_plane_segmentation/parameters.h"
 #include "line_plane_segmentation/plane_segmenter.h"
@@ -120,17 +121,18 @@ void defineSegmenter(py::module& module) {
   py::class_<PythonSegmenter>(module, "PlaneSegmenter", kSegmenterHelp)
       .def(py::init<const std::string&, const py::kwargs&>(), py::arg("preset") = "kinect",
            "__init__(preset='kinect', **parameters)")
-      .def("segment", &PythonSegmenter::segment, py::arg("depth"), py::arg("camera"),
+      .def("segment", initialised(&PythonSegmenter::segment), py::arg("depth"), py::arg("camera"),
            py::arg("depth_unit") = py::none(), py::arg("metres_per_unit") = py::none(), kSegmentHelp)
-      .def("set_parameters", &PythonSegmenter::setParameters,
+      .def("set_parameters", initialised(&PythonSegmenter::setParameters),
            "set_parameters(**parameters) -> None\n\n"
            "Changes parameters for the images to come: set_parameters(max_range=4.0). Raises ValueError, and "
            "changes none, if one is unknown or out of bounds.")
-      .def_property_readonly("parameters", &PythonSegmenter::parameters, "dict: all parameters as they are")
-      .def_property_readonly("milliseconds", &PythonSegmenter::milliseconds,
+      .def_property_readonly("parameters", initialised(&PythonSegmenter::parameters),
+                             "dict: all parameters as they are")
+      .def_property_readonly("milliseconds", initialised(&PythonSegmenter::milliseconds),
                              "dict [ms]: how long each stage of the last segment() took, and 'total'")
       .def_property_readonly(
-          "line_segments", &PythonSegmenter::lineSegments,
+          "line_segments", initialised(&PythonSegmenter::lineSegments),
           "structured array (n,): the line segments of the last image. Fields: direction (0: along a row, 1: "
           "along a column), scanline [px] (which row or column), first and last [px], points, alpha [rad] "
           "and r [m] (s cos(alpha) + t sin(alpha) = r in the plane of camera and scanline: t is a point's "

@@ -3,7 +3,6 @@
 
 #include <climits>
 #include <cstdio>
-#include <fstream>
 #include <nlohmann/json.hpp>
 #include <opencv2/core.hpp>
 #include <opencv2/imgcodecs.hpp>
@@ -199,12 +198,12 @@ void segmentDepthImages(const DepthTask& task) {
   if (!task.table.empty()) report.protect(task.table);
   if (!task.report.empty()) report.checkProtected(task.report);
   makeOutputFolder(task.out);
-  const fs::path report_file = task.report.empty() ? fs::path() : report.reserve(task.report);
+  if (!task.report.empty()) report.add(task.report, std::string());
   segmentAll(task, frames);
   const std::size_t finished = task.frames.size() - frames.size();
   if (finished > 0) std::printf("%zu frames were finished before; --redo segments them again\n", finished);
   if (task.report.empty()) return;
-  std::ofstream(report_file, std::ios::binary) << makeReport("html", reportData(task));
+  report.append(task.report, makeReport("html", reportData(task)));
   report.commit();
 }
 

@@ -7,6 +7,8 @@ import unittest
 
 import dynamic_reconfigure.client
 import rosgraph
+import roslaunch.config as roslaunch_config
+import roslib.packages
 import rospy
 import rostest
 
@@ -70,6 +72,17 @@ class MultiCameraLaunchTest(unittest.TestCase):
         gone = len(one.arrays)
         self.assertEqual(10, len(other.next(10)))
         self.assertEqual(gone, len(one.arrays))
+
+    def test_the_windows_are_side_by_side(self):
+        path = roslib.packages.find_resource("line_plane_segmentation", "multi_camera.launch")[0]
+        config = roslaunch_config.load_config_default([path], None, verbose=False)
+        windows = [list(map(int, node.args.split("--window ")[1].split(",")))
+                   for node in config.nodes if node.type == "rviz_view"]
+        self.assertEqual(2, len(windows))
+        (left, top, width, height), (other_left, other_top, other_width, other_height) = sorted(windows)
+        self.assertLessEqual(left + width, other_left)
+        self.assertEqual((top, width, height), (other_top, other_width, other_height))
+        self.assertLessEqual(other_left + other_width, 1920, "the width of most screens")
 
 
 if __name__ == "__main__":

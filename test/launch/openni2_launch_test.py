@@ -48,6 +48,7 @@ class OpenNi2LaunchTest(unittest.TestCase):
         result = roslaunch(driver_found=False)
         advice = [line for line in result.stdout.splitlines() if "ros-noetic-openni2-camera" in line]
         self.assertEqual(1, len(advice), result.stdout)
+        self.assertIn("scripts/build_openni2_camera DIR", advice[0])
         self.assertEqual(1, result.returncode)
         self.assertNotIn("process[", result.stdout, "something was started all the same")
 

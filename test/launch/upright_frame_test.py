@@ -62,6 +62,15 @@ class UprightFrameTest(unittest.TestCase):
         self.assert_close([3, 2, 1], translation)
         publisher.unregister()
 
+    def test_a_camera_without_a_frame_ends_it_with_a_warning(self):
+        publisher = publish_info("nameless", "")
+        result = subprocess.run(["rosrun", "line_plane_segmentation", "upright_frame", "world", "nameless",
+                                 "__ns:=nameless"], check=True, timeout=20, stdout=subprocess.PIPE,
+                                stderr=subprocess.STDOUT, universal_newlines=True)
+        self.assertIn("the camera's messages have no frame_id", result.stdout)
+        self.assertNotIn("canTransform", result.stdout)
+        publisher.unregister()
+
 
 if __name__ == "__main__":
     rospy.init_node("upright_frame_test")

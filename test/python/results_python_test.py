@@ -6,6 +6,8 @@ import ast
 import multiprocessing
 import os
 import pickle
+import subprocess
+import sys
 import unittest
 
 import numpy as np
@@ -56,6 +58,34 @@ class ResultsTest(unittest.TestCase):
         self.assertEqual(self.result.planes[1].d, plane.d)
         with self.assertRaises(ValueError):
             Plane.__new__(Plane).__setstate__((1, 2))
+
+    def test_objects_made_without_init_are_refused(self):
+        # In another process, which may crash or wait for a lock that was never made.
+        program = """
+import numpy
+import line_plane_segmentation as lps
+result = lps.PlaneSegmenter().segment(numpy.zeros((4, 4), numpy.uint16), (1, 1, 1, 1))
+for kind in (lps.PlaneSegmenter, lps.PlaneTracker):
+    made = kind.__new__(kind)
+    for name in [name for name in dir(kind) if name[0] != "_"]:
+        arguments = {"segment": (None, None), "track": (result, (1, 1, 1, 1), 0.0)}.get(name, ())
+        try:
+            value = getattr(made, name)
+            if callable(value):
+                value(*arguments)
+        except TypeError as error:
+            if "__init__() was called" not in str(error):
+                raise
+        else:
+            raise SystemExit("%s.%s works" % (kind.__name__, name))
+try:
+    lps.PlaneTracker.reset(5)
+except TypeError:
+    pass
+"""
+        result = subprocess.run([sys.executable, "-c", program], timeout=60, stdout=subprocess.PIPE,
+                                stderr=subprocess.STDOUT, universal_newlines=True)
+        self.assertEqual((0, ""), (result.returncode, result.stdout))
 
     def test_other_processes(self):
         for method in ("fork", "spawn", "forkserver"):

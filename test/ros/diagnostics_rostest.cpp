@@ -79,5 +79,20 @@ TEST_F(Reports, speakPlainly) {
   EXPECT_GT(number("frames refused: encoding"), 0.0);
 }
 
+// As by a program that requests again and again what is refused.
+TEST(Log, isNotFilledByRefusedSettings) {
+  const auto request = [](PlaneSegmenterConfig& config) { config.tf_fallback = "sometimes"; };
+  const std::string refused = "tf_fallback = 'sometimes' was refused";
+  const LogLines log;
+  spinFor(5.1);
+  for (int i = 0; i < 50; ++i) reconfigure(request);
+  spinFor(0.5);
+  EXPECT_EQ(10, log.warnings(refused));
+  spinFor(5.1);
+  reconfigure(request);
+  EXPECT_TRUE(waitUntil([&] { return log.warnings("40 more settings were refused or changed") == 1; }));
+  EXPECT_EQ(11, log.warnings(refused));
+}
+
 }  // namespace
 }  // namespace line_plane_segmentation

@@ -4,6 +4,8 @@
 #include <line_plane_segmentation/PlaneArray.h>
 
 #include <algorithm>
+#include <cstring>
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -183,6 +185,33 @@ TEST_P(DamagedBag, WrongBytesAnywhere) {
         runProcess(SEGMENT_BAG, {(folder_ / "in.bag").string(), (folder_ / "out.bag").string()});
     EXPECT_TRUE(result.exit_code == 0 || result.exit_code == 1) << "byte " << at << ": " << result.err;
   }
+}
+
+// Its data cannot be read without the key; the header that says so can.
+TEST_P(DamagedBag, Encrypted) {
+  const auto text = [](std::uint32_t bits) {
+    return std::string(reinterpret_cast<const char*>(&bits), sizeof bits);
+  };
+  const auto number = [this](std::size_t at) {
+    std::uint32_t read = 0;
+    std::memcpy(&read, bytes_.data() + at, sizeof read);
+    return read;
+  };
+  const std::string plugin = "rosbag/AesCbcEncryptor";
+  const std::string value = "encryptor=" + plugin;
+  const std::string field = text(static_cast<std::uint32_t>(value.size())) + value;
+  const auto longer = static_cast<std::uint32_t>(field.size());
+  // The header's length, its fields, and the length of its padding, which becomes as much shorter.
+  const std::size_t head = std::string("#ROSBAG V2.0\n").size();
+  const std::uint32_t fields = number(head);
+  const std::size_t padding = head + 4 + fields;
+  ASSERT_GT(number(padding), longer);
+  const std::string bytes = bytes_.substr(0, head) + text(fields + longer) + field +
+                            bytes_.substr(head + 4, fields) + text(number(padding) - longer) +
+                            bytes_.substr(padding + 4 + longer);
+  ASSERT_EQ(bytes.size(), bytes_.size());
+  segment(bytes, "is encrypted with " + plugin);
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "out.bag"));
 }
 
 std::string nameOf(const testing::TestParamInfo<rosbag::CompressionType>& info) {

@@ -4,15 +4,29 @@
 #include <fcntl.h>
 #include <gtest/gtest.h>
 #include <sys/stat.h>
+#include <sys/syscall.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <csignal>
 #include <fstream>
+#include <functional>
 #include <future>
 
 #include "run_tool.h"
 #include "temporary_folder.h"
+
+namespace {
+
+std::function<void(int)> on_sync;
+
+}  // namespace
+
+// Takes the place of the C library's function in this program.
+extern "C" int fsync(int descriptor) {
+  if (on_sync) on_sync(descriptor);
+  return static_cast<int>(syscall(SYS_fsync, descriptor));
+}
 
 namespace line_plane_segmentation {
 namespace {
@@ -190,6 +204,26 @@ TEST(OutputFiles, AreContinued) {
   files.commit();
   EXPECT_EQ(textOf(folder / "a.txt"), "one, two");
   EXPECT_EQ(textOf(folder / "b.txt"), "other");
+}
+
+// After a power failure a name must not lead to a file whose content is missing.
+TEST(OutputFiles, AreOnTheDiskBeforeTheyAreNamed) {
+  const TemporaryFolder folder;
+  int files_synced = 0;
+  int folders_synced = 0;
+  OutputFiles files;
+  files.add(folder / "a.txt", std::string("one"));
+  files.add(folder / "b.txt", std::string("two"));
+  on_sync = [&](int descriptor) {
+    struct stat status {};
+    ASSERT_EQ(fstat(descriptor, &status), 0);
+    ++(S_ISDIR(status.st_mode) ? folders_synced : files_synced);
+    EXPECT_EQ(namesIn(folder.path()), (S_ISDIR(status.st_mode) ? Names{"a.txt", "b.txt"} : Names{}));
+  };
+  files.commit();
+  on_sync = nullptr;
+  EXPECT_EQ(files_synced, 2);
+  EXPECT_EQ(folders_synced, 1);
 }
 
 TEST(OutputFiles, NeverReplaceAnInput) {

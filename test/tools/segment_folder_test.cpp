@@ -243,5 +243,14 @@ TEST_F(SegmentFolder, RefusesAPageThatCannotBe) {
   EXPECT_FALSE(std::filesystem::exists(out()));
 }
 
+TEST_F(SegmentFolder, TellsWhenThePageCannotBeWritten) {
+  const ToolResult full = segment({"--report", "/dev/full"});
+  EXPECT_EQ(full.exit_code, 1);
+  EXPECT_EQ(full.err, "segment_depth: /dev/full: cannot be written, No space left on device\n");
+  EXPECT_NE(segment({"--report", (folder_ / "page.html").string()}).out.find("finished before"),
+            std::string::npos)
+      << "the results are complete";
+}
+
 }  // namespace
 }  // namespace line_plane_segmentation
