@@ -9,6 +9,7 @@
 
 #include "line_plane_segmentation/camera_intrinsics.h"
 #include "line_plane_segmentation/depth_view.h"
+#include "line_plane_segmentation/eigen_types.h"
 #include "line_plane_segmentation/parameters.h"
 #include "line_plane_segmentation/segmentation.h"
 
@@ -35,9 +36,9 @@ void visitObjectParameters(ParametersType& p, Visitor&& visitor) {
 
 /// An object that stands on a plane, as far as the camera sees it. All in the optical frame.
 struct DetectedObject {
-  std::size_t support = 0;                                ///< index of the plane in Segmentation::planes
-  Eigen::Vector3d centroid = Eigen::Vector3d::Zero();     ///< [m] mean of its visible points
-  Eigen::Isometry3d box = Eigen::Isometry3d::Identity();  ///< the box's centre; z along the plane's normal
+  std::size_t support = 0;                             ///< index of the plane in Segmentation::planes
+  Eigen::Vector3d centroid = Eigen::Vector3d::Zero();  ///< [m] mean of its visible points
+  RigidTransform box = RigidTransform::Identity();     ///< the box's centre; z along the plane's normal
   Eigen::Vector3d size =
       Eigen::Vector3d::Zero();  ///< [m] of the box, which reaches down to the plane; x >= y
   std::uint32_t pixels = 0;
