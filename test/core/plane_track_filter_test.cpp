@@ -143,7 +143,8 @@ TEST_F(Fusion, accountsForErrorsOfThePose) {
   const Eigen::Matrix4d covariance = filter.covariance();
   Eigen::Vector4d at_point;
   at_point << point, 1.0;
-  EXPECT_NEAR(of_normal + 2.0 * kAngle * kAngle, covariance.topLeftCorner<3, 3>().trace(), 0.1 * of_normal);
+  const Eigen::Matrix3d covariance_of_normal = covariance.topLeftCorner<3, 3>();
+  EXPECT_NEAR(of_normal + 2.0 * kAngle * kAngle, covariance_of_normal.trace(), 0.1 * of_normal);
   EXPECT_NEAR(of_offset + kDistance * kDistance, at_point.dot(covariance * at_point), 0.1 * of_offset);
 }
 
