@@ -4,16 +4,18 @@
 #include <line_plane_segmentation/Plane.h>
 
 #include <cstddef>
-#include <vector>
+#include <cstdint>
 
+#include "line_plane_segmentation/hole_parts.h"
 #include "line_plane_segmentation/segmentation.h"
 
 namespace line_plane_segmentation {
 
-/// Writes the polygons of a plane into its message: outline, other parts and holes.
+/// Writes the polygons of a plane into its message: outline, other parts and holes with their parts.
+/// @param plane  a plane of `segmentation`, in any frame
 /// @param positionOf  returns the vertex with an index into Segmentation::vertices, as an Eigen vector
 template <typename PositionOf>
-void addPolygons(const std::vector<Ring>& rings, const SegmentedPlane& plane, PositionOf&& positionOf,
+void addPolygons(const Segmentation& segmentation, const SegmentedPlane& plane, PositionOf&& positionOf,
                  Plane& message) {
   const auto polygonOf = [&](const Ring& ring) {
     geometry_msgs::Polygon polygon;
@@ -29,7 +31,7 @@ void addPolygons(const std::vector<Ring>& rings, const SegmentedPlane& plane, Po
     return polygon;
   };
   for (int i = 0; i < plane.outer_ring_count + plane.hole_count; ++i) {
-    const Ring& ring = rings[static_cast<std::size_t>(plane.first_ring + i)];
+    const Ring& ring = segmentation.rings[static_cast<std::size_t>(plane.first_ring + i)];
     if (i == 0) {
       message.outline = polygonOf(ring);
     } else if (i < plane.outer_ring_count) {
@@ -37,6 +39,9 @@ void addPolygons(const std::vector<Ring>& rings, const SegmentedPlane& plane, Po
     } else {
       message.holes.push_back(polygonOf(ring));
     }
+  }
+  for (const int part : partsOfHoles(segmentation, plane)) {
+    message.hole_parts.push_back(static_cast<std::uint32_t>(part));
   }
 }
 

@@ -4,7 +4,6 @@
 #include <cstdint>
 #include <vector>
 
-#include "line_plane_segmentation/hole_parts.h"
 #include "line_plane_segmentation/ros/conversions.h"
 #include "plane_message.h"
 #include "plane_polygons.h"
@@ -23,8 +22,7 @@ Plane planeMessage(const SegmentedFrame& frame, const PublishedPlane& published)
   Plane message = planeWithoutPolygons(published);
   const std::vector<Eigen::Vector3f>& vertices = frame.published.vertices;
   addPolygons(
-      frame.segmentation.rings, published.plane, [&](std::size_t vertex) { return vertices[vertex]; },
-      message);
+      frame.segmentation, published.plane, [&](std::size_t vertex) { return vertices[vertex]; }, message);
   return message;
 }
 
@@ -37,9 +35,6 @@ void setCoefficients(const Eigen::Vector3d& normal, double d, const Eigen::Matri
     for (int column = 0; column < 4; ++column) {
       message.covariance[static_cast<std::size_t>(4 * row + column)] = covariance(row, column);
     }
-  }
-  for (const int part : partsOfHoles(frame.segmentation, plane)) {
-    message.hole_parts.push_back(static_cast<std::uint32_t>(part));
   }
 }
 

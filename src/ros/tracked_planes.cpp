@@ -59,7 +59,7 @@ void TrackedPlanes::observe(const SegmentedFrame& frame, const PublishedPlane& p
   message.plane = planeWithoutPolygons(published);
   message.plane.centroid = pointOf(filter.projected(fixed_from_optical * measured.centroid));
   addPolygons(
-      frame.segmentation.rings, measured,
+      frame.segmentation, measured,
       [&](std::size_t vertex) -> Eigen::Vector3f {
         const Eigen::Vector3d point = frame.segmentation.vertices[vertex].cast<double>();
         return filter.projected(fixed_from_optical * point).cast<float>();
