@@ -13,7 +13,8 @@ namespace {
 constexpr float kNoiseOfHeight = 3.0F;  // standard deviations
 constexpr float kNoiseOfGap = 4.0F;
 
-// A plane belongs to objects if at least this fraction of its pixels stands on supports.
+// A connected component of a plane belongs to objects if at least this fraction of its pixels stands on
+// supports.
 constexpr double kMinStandingFraction = 0.5;
 
 // A component is too tall if this fraction of its pixels, or more, is above the height limit: fewer are
@@ -34,7 +35,7 @@ struct ObjectDetector::Scratch {
   std::vector<std::int16_t> support_of;
   std::vector<Eigen::Vector3f> points;  // in the optical frame
   std::vector<SupportPlane> supports;
-  std::vector<std::uint32_t> standing;  // pixels of each plane that are on supports
+  std::vector<std::uint8_t> visited;  // pixels whose component of a plane is decided
   std::vector<int> stack, component;
   std::vector<cv::Point2f> footprint;
   std::vector<float> heights;
@@ -42,6 +43,7 @@ struct ObjectDetector::Scratch {
   std::int16_t supportOf(const Eigen::Vector3f& point, std::uint16_t label,
                          const ObjectParameters& parameters, float sigma) const;
   void classify(const DepthScene& scene, const ObjectParameters& parameters, const NoiseParameters& noise);
+  void collectPlane(int seed, const Segmentation& segmentation);
   void dropBackground(const Segmentation& segmentation);
   double collect(int seed, int width, int height, const ObjectParameters& parameters,
                  const NoiseParameters& noise);
@@ -78,7 +80,6 @@ void ObjectDetector::Scratch::classify(const DepthScene& scene, const ObjectPara
   const std::size_t pixels = scene.segmentation.labels.size();
   support_of.assign(pixels, 0);
   points.resize(pixels);
-  standing.assign(scene.segmentation.planes.size() + 1, 0);
   std::vector<float> depth(static_cast<std::size_t>(width));
   for (int v = 0; v < scene.segmentation.height; ++v) {
     loadRow(scene.depth, v, scene.range, depth.data());
@@ -92,19 +93,48 @@ void ObjectDetector::Scratch::classify(const DepthScene& scene, const ObjectPara
       const std::uint16_t label = scene.segmentation.labels[row + u];
       const auto sigma = static_cast<float>(noise.sigma(static_cast<double>(z)));
       support_of[row + u] = supportOf(points[row + u], label, parameters, sigma);
-      if (support_of[row + u] > 0) ++standing[label];
     }
   }
 }
 
-// Walls and furniture behind a table reach into the space above it.
+// Moves the pixels that have the label of `seed` and are connected with it to component.
+void ObjectDetector::Scratch::collectPlane(int seed, const Segmentation& segmentation) {
+  const int width = segmentation.width, height = segmentation.height;
+  const std::uint16_t label = segmentation.labels[static_cast<std::size_t>(seed)];
+  component.clear();
+  const auto visit = [&](bool is_inside, int pixel) {
+    if (!is_inside) return;
+    const auto i = static_cast<std::size_t>(pixel);
+    if (visited[i] != 0 || segmentation.labels[i] != label) return;
+    visited[i] = 1;
+    component.push_back(pixel);
+    stack.push_back(pixel);
+  };
+  visit(true, seed);
+  while (!stack.empty()) {
+    const int pixel = stack.back();
+    stack.pop_back();
+    const int u = pixel % width, v = pixel / width;
+    visit(u > 0, pixel - 1);
+    visit(u + 1 < width, pixel + 1);
+    visit(v > 0, pixel - width);
+    visit(v + 1 < height, pixel + width);
+  }
+}
+
+// Walls and furniture behind a table reach into the space above it. The top of an object may be part of the
+// same plane as another surface, but is not connected with it.
 void ObjectDetector::Scratch::dropBackground(const Segmentation& segmentation) {
+  visited.assign(support_of.size(), 0);
   for (std::size_t i = 0; i < support_of.size(); ++i) {
-    const std::uint16_t label = segmentation.labels[i];
-    if (label == 0) continue;
-    if (standing[label] < kMinStandingFraction * segmentation.planes[label - std::size_t{1}].inliers) {
-      support_of[i] = 0;
-    }
+    if (support_of[i] == 0 || segmentation.labels[i] == 0 || visited[i] != 0) continue;
+    collectPlane(static_cast<int>(i), segmentation);
+    const auto standing = std::count_if(component.begin(), component.end(), [&](int pixel) {
+      return support_of[static_cast<std::size_t>(pixel)] > 0;
+    });
+    if (static_cast<double>(standing) >= kMinStandingFraction * static_cast<double>(component.size()))
+      continue;
+    for (const int pixel : component) support_of[static_cast<std::size_t>(pixel)] = 0;
   }
 }
 

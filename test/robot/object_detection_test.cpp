@@ -152,6 +152,13 @@ TEST_F(Objects, leavesOutWhatIsTooTall) {
   EXPECT_EQ(1U, detect().size());
 }
 
+// Noise moves a part of the wall's points above the table.
+TEST_F(Objects, leavesOutTheWallBehindTheTable) {
+  scene_.addRectangle({-3, 1.801, 0}, {6, 0, 0}, {0, 0, 3});
+  addToTable(0.1, 0.0, 0.2, {0.2, 0.1, 0.15});
+  expectAllBoxes(detect(), 0.04);
+}
+
 TEST_F(Objects, goesByItsBounds) {
   addToTable(0.2, 0.0, 0.0, {0.15, 0.15, 0.1});
   ASSERT_EQ(1U, detect().size());

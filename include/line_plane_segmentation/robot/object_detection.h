@@ -56,9 +56,10 @@ struct DepthScene {
 /// Detects objects on supporting planes: connected components, in the image, of pixels whose points lie above
 /// the convex hull of a plane's visible part. The plane nearest below a point supports it.
 ///
-/// Planes of which most pixels lie elsewhere, as walls and furniture behind, belong to no object. A component
-/// that rises above `max_object_height` is not an object: a person, a cupboard. Heights and gaps below three
-/// and four standard deviations of the depth noise are not resolved. Not thread-safe.
+/// Connected components of a plane of which most pixels lie elsewhere, such as a wall behind a table, belong
+/// to no object. A component that rises above `max_object_height` is not an object: a person, a cupboard.
+/// Heights and gaps below three and four standard deviations of the depth noise are not resolved. Not
+/// thread-safe.
 class ObjectDetector {
  public:
   ObjectDetector();
