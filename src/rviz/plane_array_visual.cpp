@@ -3,6 +3,7 @@
 
 #include <OgreManualObject.h>
 #include <OgreMaterialManager.h>
+#include <OgreResourceGroupManager.h>
 #include <OgreSceneManager.h>
 #include <OgreSceneNode.h>
 #include <OgreTechnique.h>
@@ -21,7 +22,7 @@
 namespace line_plane_segmentation {
 namespace {
 
-constexpr char kResourceGroup[] = "rviz";
+const Ogre::String& kResourceGroup = Ogre::ResourceGroupManager::DEFAULT_RESOURCE_GROUP_NAME;
 
 Ogre::Vector3 toOgre(const Eigen::Vector3f& v) { return {v.x(), v.y(), v.z()}; }
 Ogre::Vector3 toOgre(const geometry_msgs::Point32& p) { return {p.x, p.y, p.z}; }

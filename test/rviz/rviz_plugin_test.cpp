@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // rviz finds and loads the display of planes.
 #include <gtest/gtest.h>
+#include <ros/init.h>
+#include <ros/node_handle.h>
 #include <rviz/display.h>
 
+#include <QApplication>
 #include <algorithm>
 #include <pluginlib/class_loader.hpp>
 #include <string>
@@ -21,8 +24,9 @@ TEST(RvizPlugin, isDeclaredAndLoads) {
 }
 
 TEST(RvizPlugin, hasTheDocumentedProperties) {
-  pluginlib::ClassLoader<rviz::Display> loader("rviz", "rviz::Display");
-  const boost::shared_ptr<rviz::Display> display = loader.createInstance(kName);
+  // Neither is ever destroyed: the destructor of rviz's MessageFilterDisplay needs rviz's window.
+  auto* const loader = new pluginlib::ClassLoader<rviz::Display>("rviz", "rviz::Display");
+  rviz::Display* const display = loader->createUnmanagedInstance(kName);
   ASSERT_NE(nullptr, display);
   for (const char* property : {"Topic", "Color By", "Alpha", "Fill", "Outlines", "Normals", "Normal Length",
                                "Ids", "Covariance", "Covariance Scale"}) {
@@ -31,3 +35,12 @@ TEST(RvizPlugin, hasTheDocumentedProperties) {
 }
 
 }  // namespace
+
+// A display needs a node, and its properties an application.
+int main(int argc, char** argv) {
+  testing::InitGoogleTest(&argc, argv);
+  ros::init(argc, argv, "rviz_plugin_test");
+  const ros::NodeHandle keeps_ros_running;
+  const QApplication application(argc, argv);
+  return RUN_ALL_TESTS();
+}
