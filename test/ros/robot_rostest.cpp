@@ -27,9 +27,6 @@ namespace {
 constexpr int kWidth = 320;
 constexpr int kHeight = 240;
 constexpr std::uint64_t kSeed = 3;
-constexpr double kStart = 1000.0;  // [s] stamp of the path's beginning
-
-ros::Time stampOf(int second) { return ros::Time(kStart + second); }
 
 int count(const visualization_msgs::MarkerArray& markers, const std::string& name_space) {
   return static_cast<int>(std::count_if(markers.markers.begin(), markers.markers.end(),
@@ -39,6 +36,8 @@ int count(const visualization_msgs::MarkerArray& markers, const std::string& nam
 class Robot : public testing::Test {
  protected:
   Robot() {
+    static int tests = 0;
+    start_ = 1000.0 + 100.0 * tests++;  // stamps that go back would reset tf
     EXPECT_TRUE(camera_.waitForSubscriber());
     reconfigure([](PlaneSegmenterConfig& config) {
       config.target_frame = "";
@@ -49,23 +48,30 @@ class Robot : public testing::Test {
 
   void sendPose(int second) {
     geometry_msgs::TransformStamped message = tf2::eigenToTransform(path_.pose(second));
-    message.header.stamp = stampOf(second);
+    message.header.stamp = stamp_;
     message.header.frame_id = "world";
     message.child_frame_id = kCameraFrame;
     broadcaster_.sendTransform(message);
   }
 
-  // Publishes until the segmenter, which has just begun to listen to tf, knows where up is.
-  bool show(int second) {
+  // Publishes an image until the segmenter has received the camera's pose, and the outputs are connected.
+  // Each attempt has a stamp of its own.
+  template <typename... Inboxes>
+  bool show(int second, const Inboxes&... outputs) {
+    const TestFrame& frame = frames_[static_cast<std::size_t>(second)];
+    int attempt = 0;
     return waitUntil([&] {
+      stamp_ = ros::Time(start_ + second + 0.01 * attempt++);
       sendPose(second);
-      camera_.publish(frames_[static_cast<std::size_t>(second)].image,
-                      frames_[static_cast<std::size_t>(second)].info, stampOf(second));
-      if (!planes_.waitFor(stampOf(second), 1.0) || planes_.newest()->planes.empty()) return false;
-      return planes_.newest()->planes[0].orientation != Plane::UNKNOWN;
+      camera_.publish(frame.image, frame.info, stamp_);
+      if (!planes_.waitFor(stamp_, 1.0) || planes_.newest()->planes.empty()) return false;
+      if (planes_.newest()->planes[0].orientation == Plane::UNKNOWN) return false;
+      return (outputs.waitFor(stamp_, 0.2) && ...);
     });
   }
 
+  double start_ = 0.0;  // [s] stamp of the path's beginning
+  ros::Time stamp_;     // of the last image
   TestCamera camera_;
   tf2_ros::TransformBroadcaster broadcaster_;
   Inbox<PlaneArray> planes_{"plane_segmenter/planes"};
@@ -75,8 +81,7 @@ class Robot : public testing::Test {
 
 TEST_F(Robot, leavesTheFloorAloneOutOfTheObstacles) {
   const Inbox<sensor_msgs::PointCloud2> obstacles("plane_segmenter/cloud_without_planes");
-  ASSERT_TRUE(show(0));
-  ASSERT_TRUE(obstacles.waitFor(stampOf(0)));
+  ASSERT_TRUE(show(0, obstacles));
   const sensor_msgs::PointCloud2& cloud = *obstacles.newest();
   EXPECT_EQ(kCameraFrame, cloud.header.frame_id);
   EXPECT_TRUE(cloud.is_dense);
@@ -103,8 +108,7 @@ TEST_F(Robot, leavesTheFloorAloneOutOfTheObstacles) {
 TEST_F(Robot, findsObjectsOnTheTableAndDrawsThem) {
   const Inbox<SupportedObjectArray> objects("plane_segmenter/objects");
   const Inbox<visualization_msgs::MarkerArray> markers("plane_segmenter/markers");
-  ASSERT_TRUE(show(1));
-  ASSERT_TRUE(objects.waitFor(stampOf(1)));
+  ASSERT_TRUE(show(1, objects));
   const SupportedObjectArray& array = *objects.newest();
   ASSERT_FALSE(array.objects.empty());
   std::set<std::uint32_t> supports(array.support_ids.begin(), array.support_ids.end());
@@ -115,16 +119,14 @@ TEST_F(Robot, findsObjectsOnTheTableAndDrawsThem) {
     EXPECT_GE(object.box_size.x, object.box_size.y);
     EXPECT_LE(object.first_column + object.columns, static_cast<std::uint32_t>(kWidth));
   }
-  ASSERT_TRUE(waitUntil([&] { return markers.newest() != nullptr; }));
+  ASSERT_TRUE(
+      waitUntil([&] { return markers.newest() && markers.newest()->markers.at(0).header.stamp == stamp_; }));
   EXPECT_EQ(static_cast<int>(array.objects.size()), count(*markers.newest(), "objects"));
 }
 
 TEST_F(Robot, fusesPlanesInTheFixedFrame) {
   const Inbox<TrackedPlaneArray> tracked("plane_segmenter/tracked_planes");
-  for (int second = 0; second < 4; ++second) {
-    ASSERT_TRUE(show(second));
-    ASSERT_TRUE(tracked.waitFor(stampOf(second)));
-  }
+  for (int second = 0; second < 4; ++second) ASSERT_TRUE(show(second, tracked));
   const TrackedPlaneArray& array = *tracked.newest();
   EXPECT_EQ("world", array.header.frame_id);
   std::set<std::uint32_t> visible;
@@ -155,7 +157,7 @@ TEST_F(Robot, fusesPlanesInTheFixedFrame) {
 }
 
 TEST_F(Robot, fusesNothingWithoutAFixedFrame) {
-  reconfigure([](PlaneSegmenterConfig& config) { config.fixed_frame = ""; });
+  reconfigure([](PlaneSegmenterConfig& config) { config.gravity_frame = "world"; });
   const Inbox<TrackedPlaneArray> tracked("plane_segmenter/tracked_planes");
   ASSERT_TRUE(show(2));
   spinFor(0.3);
