@@ -25,10 +25,10 @@ VALUES = {
     "scanline_spacing": (6, 0, 40), "fine_spacing": (3, 0, 20), "line_window": (5, 0, 31), "min_line_points": (10, 0, 90),
     "points_per_segment": (1, 3, 5), "normal_window": (8, 0, 60), "min_window_points": (20, 0, 1500),
     "min_plane_inliers": (300, 0, 20000), "min_plane_area": (0.0, 0.2, 1.0), "min_region_pixels": (10, 0, 3000),
-    "min_range": (0.3, 1.5, 2.5), "max_range": (2.0, 3.0, 10.0), "min_patches": (1, 3, 30), "coplanar_cost": (0.0, 3.5, 30.0),
-    "merge_cost": (1.0, 8.0, 100.0),
+    "min_range": (0.3, 1.5, 2.5), "max_range": (2.0, 3.0, 10.0), "min_patches": (1, 3, 30),
 }
 SKIPPED = {"method"}  # the presets show it
+
 
 def read_parameters():
     """Yields group, name, description, default, lowest and highest value of each parameter."""
@@ -120,11 +120,11 @@ def write_page(depth, out):
     references = {preset: segment(depth, preset).labels for preset in ("kinect", "paper")}
     lines = [
         "# Tuning", "",
-        "What each parameter of the method does to one image of the simulated camera. Made by `scripts/make_tuning_page` from "
-        "[PlaneSegmenter.cfg](../cfg/PlaneSegmenter.cfg); do not edit.", "",
+        "What each parameter of the method does to one image of the simulated camera. `scripts/make_tuning_page` makes this page from",
+        "[PlaneSegmenter.cfg](../cfg/PlaneSegmenter.cfg).", "",
         "Change a parameter while the node runs, and watch `overlay` or rviz:", "", "```sh",
-        "rosrun dynamic_reconfigure dynparam set /camera/plane_segmenter merge_cost 20", "```", "",
-        "Start with a preset. Then change one parameter at a time, from the top of this page. Colours follow the planes of the "
+        "rosrun dynamic_reconfigure dynparam set /camera/plane_segmenter min_plane_inliers 1000", "```", "",
+        "Start with a preset. Then change one parameter at a time, from the top of this page. Colours follow the planes of the",
         "default; `auto` is a value that is computed from the image's width.", ""]
     os.makedirs(os.path.join(out, "tuning"), exist_ok=True)
     shown_group = None
