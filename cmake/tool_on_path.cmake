@@ -11,6 +11,8 @@ function(lps_put_tool_on_path tool)
   file(RELATIVE_PATH relative /${CATKIN_GLOBAL_BIN_DESTINATION} /${CATKIN_PACKAGE_BIN_DESTINATION}/${tool})
   set(folder ${CATKIN_DEVEL_PREFIX}/${CATKIN_GLOBAL_BIN_DESTINATION})
   file(MAKE_DIRECTORY ${folder})
-  file(CREATE_LINK ${relative} ${folder}/${tool} SYMBOLIC)
+  # Not before the tool is there: a build of other targets, as for fuzzing, would leave a link to nothing, on which
+  # rosrun's search ends.
+  add_custom_command(TARGET ${tool} POST_BUILD COMMAND ${CMAKE_COMMAND} -E create_symlink ${relative} ${folder}/${tool})
   install(FILES ${folder}/${tool} DESTINATION ${CATKIN_GLOBAL_BIN_DESTINATION})
 endfunction()

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Segments a depth image and plots the planes with matplotlib: in the image, and their outlines in space.
 
-    plot_planes.py --camera 525,525,319.5,239.5 --metres-per-unit 0.0002 depth.png
+    plot_planes.py --camera 525,525,319.5,239.5 --depth-unit 0.0002 depth.png
 """
 import argparse
 
@@ -46,13 +46,13 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("image", help="16-bit PNG, or .npy of uint16 or float32")
     parser.add_argument("--camera", required=True, help="FX,FY,CX,CY in pixels")
-    parser.add_argument("--metres-per-unit", type=float, help="default: 0.001 for 16-bit, 1 for float")
+    parser.add_argument("--depth-unit", type=float, help="[m]; default: 0.001 for 16-bit, 1 for float")
     parser.add_argument("--save", metavar="FILE", help="save the plot and show no window")
     arguments = parser.parse_args()
 
     depth = read_depth(arguments.image)
     camera = [float(number) for number in arguments.camera.split(",")]
-    result = PlaneSegmenter().segment(depth, camera, arguments.metres_per_unit)
+    result = PlaneSegmenter().segment(depth, camera, arguments.depth_unit)
     for plane in result.planes:
         print(plane)
 

@@ -5,6 +5,8 @@
 #include <rosbag/bag.h>
 
 #include <algorithm>
+#include <cerrno>
+#include <exception>
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -17,8 +19,10 @@ namespace line_plane_segmentation {
 /// Writer of a bag.
 class BagOutput {
  public:
+  /// @param file  where it is written
+  /// @param name  its name in error messages
   /// @throws BadInput if the file cannot be written
-  BagOutput(const std::filesystem::path& file, rosbag::CompressionType compression);
+  BagOutput(const std::filesystem::path& file, std::string name, rosbag::CompressionType compression);
 
   /// If close() was not called, the file is not a valid bag.
   ~BagOutput();
@@ -45,13 +49,17 @@ class BagOutput {
  private:
   template <typename Action>
   void guarded(Action&& action) {
+    errno = 0;
     try {
       action();
     } catch (const std::exception& error) {
-      throw BadInput("the bag cannot be written: " + std::string(error.what()));
+      giveUp(error.what(), errno);
     }
   }
 
+  [[noreturn]] void giveUp(const std::string& problem, int error);
+
+  std::string name_;
   std::unique_ptr<rosbag::Bag> bag_;
 };
 

@@ -44,8 +44,9 @@ class BagSegmentation {
     // Before, there is nothing to take away.
     catchInterruption();
     OutputFiles files;
-    out_.emplace(files.reserve(task_.out), task_.compression);
-    if (!task_.csv.empty()) csv_.emplace(files.reserve(task_.csv));
+    files.protect(task_.in);
+    out_.emplace(files.reserve(task_.out), task_.out.string(), task_.compression);
+    if (!task_.csv.empty()) csv_.emplace(files, task_.csv);
 
     std::vector<Slot> slots;
     for (std::size_t i = 0; i < slotsForAllCores(); ++i) slots.push_back({{}, FrameSegmenter(task_.limits)});
@@ -57,7 +58,6 @@ class BagSegmentation {
 
     if (done_ == 0) throw BadInput(task_.in.string() + ": " + whyNothing());
     out_->close();
-    if (csv_) csv_->close();
     files.commit();
     printSummary();
     const std::string damage = damageText();

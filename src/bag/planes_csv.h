@@ -4,24 +4,25 @@
 #include <line_plane_segmentation/PlaneArray.h>
 
 #include <filesystem>
-#include <fstream>
 #include <string>
+
+#include "output_files.h"
 
 namespace line_plane_segmentation {
 
 /// CSV table with one row per plane: the values of its message, and the topic of its image.
 class PlanesCsv {
  public:
-  /// @throws BadInput if the file cannot be written
-  explicit PlanesCsv(const std::filesystem::path& file);
+  /// Adds the table to these files.
+  /// @throws BadInput if it cannot be written
+  PlanesCsv(OutputFiles& files, const std::filesystem::path& file);
 
+  /// @throws BadInput if the table cannot be written
   void add(const std::string& topic, const PlaneArray& planes);
 
-  /// @throws BadInput if writing failed
-  void close();
-
  private:
-  std::ofstream stream_;
+  OutputFiles& files_;
+  std::filesystem::path file_;
 };
 
 }  // namespace line_plane_segmentation

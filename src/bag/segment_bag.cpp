@@ -121,6 +121,7 @@ void checkFiles(const BagTask& task) {
   const auto same = [](const fs::path& a, const fs::path& b) {
     return !a.empty() && wholePath(a) == wholePath(b);
   };
+  if (isStream(task.out)) throw BadInput(task.out.string() + ": a bag can only be written to a file");
   if (same(task.out, task.in)) throw BadInput(task.out.string() + ": would overwrite IN.bag");
   if (same(task.csv, task.in) || same(task.csv, task.out)) {
     throw BadInput(task.csv.string() + ": the table would overwrite a bag");

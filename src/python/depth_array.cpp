@@ -34,7 +34,7 @@ py::array depthArrayOf(const py::object& depth) {
   return py::reinterpret_borrow<py::array>(depth);
 }
 
-DepthView viewOf(const py::array& depth, const std::optional<double>& metres_per_unit) {
+DepthView viewOf(const py::array& depth, const std::optional<double>& depth_unit) {
   const py::dtype dtype = depth.dtype();
   const DepthType type = typeOf(dtype);
   if (depth.ndim() != 2) {
@@ -46,10 +46,9 @@ DepthView viewOf(const py::array& depth, const std::optional<double>& metres_per
   if (width > 0 && height > kMost / width) throw py::value_error("depth has too many pixels");
 
   DepthView view;
-  view.metres_per_unit =
-      static_cast<float>(metres_per_unit.value_or(type == DepthType::kUint16 ? 0.001 : 1.0));
+  view.metres_per_unit = static_cast<float>(depth_unit.value_or(type == DepthType::kUint16 ? 0.001 : 1.0));
   if (!(view.metres_per_unit > 0.0F && std::isfinite(view.metres_per_unit))) {
-    throw py::value_error("metres_per_unit must be positive");
+    throw py::value_error("depth_unit must be positive");
   }
   view.type = type;
   if (width == 0 || height == 0) return view;

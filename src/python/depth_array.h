@@ -16,8 +16,8 @@ pybind11::array depthArrayOf(const pybind11::object& depth);
 /// A view of the pixels of a numpy array, which is not copied and must live as long.
 /// @param depth            uint16 or float32 in either byte order, height x width; rows may be apart, pixels
 /// not
-/// @param metres_per_unit  [m] none: 0.001 for uint16, 1 for float32
+/// @param depth_unit       [m] none: 0.001 for uint16, 1 for float32
 /// @throws pybind11::type_error or value_error that says what is wrong with it
-DepthView viewOf(const pybind11::array& depth, const std::optional<double>& metres_per_unit);
+DepthView viewOf(const pybind11::array& depth, const std::optional<double>& depth_unit);
 
 }  // namespace line_plane_segmentation

@@ -52,10 +52,14 @@ class PythonSegmenter {
   }
 
   PythonSegmentation segment(const py::object& depth, const py::object& camera,
+                             const std::optional<double>& depth_unit,
                              const std::optional<double>& metres_per_unit) {
+    if (depth_unit && metres_per_unit) {
+      throw py::value_error("depth_unit and metres_per_unit are the same; give one of them");
+    }
     const py::array array = depthArrayOf(depth);
     const CameraIntrinsics intrinsics = intrinsicsOf(camera);
-    const DepthView view = viewOf(array, metres_per_unit);
+    const DepthView view = viewOf(array, depth_unit ? depth_unit : metres_per_unit);
     const Lock lock = waitForOthers();
     return toPython(segmentWithoutPython(view, intrinsics), array.shape(0), array.shape(1));
   }
@@ -117,7 +121,7 @@ void defineSegmenter(py::module& module) {
       .def(py::init<const std::string&, const py::kwargs&>(), py::arg("preset") = "kinect",
            "__init__(preset='kinect', **parameters)")
       .def("segment", &PythonSegmenter::segment, py::arg("depth"), py::arg("camera"),
-           py::arg("metres_per_unit") = py::none(), kSegmentHelp)
+           py::arg("depth_unit") = py::none(), py::arg("metres_per_unit") = py::none(), kSegmentHelp)
       .def("set_parameters", &PythonSegmenter::setParameters,
            "set_parameters(**parameters) -> None\n\n"
            "Changes parameters for the images to come: set_parameters(max_range=4.0). Raises ValueError, and "

@@ -11,8 +11,8 @@
 namespace line_plane_segmentation {
 namespace {
 
-constexpr double kWidestSlope =
-    3.0;  // 72 degrees off the axis; beyond, pixels would be stretched out of shape
+constexpr double kWidestSlope = 3.0;  // 72 degrees off the axis; farther out, pixels are stretched too much
+constexpr float kNearest = 1e-6F;     // [m]; smaller depths are invalid, their inverse could overflow
 
 bool isSameCalibration(const sensor_msgs::CameraInfo& a, const sensor_msgs::CameraInfo& b) {
   return a.distortion_model == b.distortion_model && a.D == b.D && a.K == b.K && a.P == b.P &&
@@ -58,6 +58,13 @@ CameraIntrinsics wholeView(const LensDistortion& lens, const CameraIntrinsics& r
   camera.cx = -left * camera.fx;
   camera.cy = -top * camera.fy;
   return camera;
+}
+
+// The "minmod" limiter: the slope of smaller magnitude, 0 if the signs differ. Exact on a plane, where both
+// are equal; beside a depth step, the slope of the pixel's own surface.
+float smallerSlope(float a, float b) {
+  if (a * b <= 0.0F) return 0.0F;
+  return std::abs(a) < std::abs(b) ? a : b;
 }
 
 }  // namespace
@@ -106,35 +113,66 @@ bool DepthRectifier::compute(const sensor_msgs::CameraInfo& info, int width, int
 }
 
 DepthView DepthRectifier::rectify(const DepthView& raw) {
-  constexpr float kSmooth =
-      1.05F;  // farther apart, four pixels are not of one surface: the nearest of them counts
-  constexpr float kUnit = 1.0F / 255.0F;
-  const DepthRange any{0.0F, std::numeric_limits<float>::max()};
+  constexpr DepthRange kAny{0.0F, std::numeric_limits<float>::max()};
   const auto width = static_cast<std::size_t>(width_);
-  raw_.resize(sources_.size());
+  inverse_depth_.resize(sources_.size());
   rectified_.resize(sources_.size());
-  for (int v = 0; v < height_; ++v) loadRow(raw, v, any, raw_.data() + static_cast<std::size_t>(v) * width);
+  for (int v = 0; v < height_; ++v) {
+    float* const row = inverse_depth_.data() + static_cast<std::size_t>(v) * width;
+    loadRow(raw, v, kAny, row);
+    for (std::size_t u = 0; u < width; ++u) row[u] = row[u] > kNearest ? 1.0F / row[u] : 0.0F;
+  }
   for (std::size_t i = 0; i < sources_.size(); ++i) {
-    const Source source = sources_[i];
-    if (source.index < 0) {
-      rectified_[i] = 0.0F;
-      continue;
-    }
-    const float* const at = raw_.data() + source.index;
-    const float a = at[0], b = at[1], c = at[width], d = at[width + 1];
-    const float right = kUnit * source.right;
-    const float down = kUnit * source.down;
-    const float least = std::min(std::min(a, b), std::min(c, d));
-    const float largest = std::max(std::max(a, b), std::max(c, d));
-    if (largest <= kSmooth * least) {
-      const float upper = a + right * (b - a);
-      const float lower = c + right * (d - c);
-      rectified_[i] = upper + down * (lower - upper);
-    } else {
-      rectified_[i] = at[(source.right >= 128 ? 1 : 0) + (source.down >= 128 ? width : 0)];
-    }
+    const float inverse = sources_[i].index < 0 ? 0.0F : interpolate(sources_[i]);
+    rectified_[i] = inverse > 0.0F ? 1.0F / inverse : 0.0F;
   }
   return viewOf(rectified_.data(), width_, height_);
+}
+
+float DepthRectifier::interpolate(const Source& source) const {
+  constexpr float kSmooth = 1.05F;  // ratio; four pixels that differ by more can be of two surfaces
+  constexpr float kUnit = 1.0F / 255.0F;
+  const auto width = static_cast<std::size_t>(width_);
+  const float* const at = inverse_depth_.data() + source.index;
+  const float a = at[0], b = at[1], c = at[width], d = at[width + 1];
+  const float right = kUnit * source.right;
+  const float down = kUnit * source.down;
+  const float least = std::min(std::min(a, b), std::min(c, d));
+  const float largest = std::max(std::max(a, b), std::max(c, d));
+  if (largest <= kSmooth * least) {
+    const float upper = a + right * (b - a);
+    const float lower = c + right * (d - c);
+    return upper + down * (lower - upper);
+  }
+  // Extrapolates the surface of the nearest pixel, with a slope that does not reach across a depth step.
+  const bool is_right = source.right >= 128;
+  const bool is_lower = source.down >= 128;
+  const int u = source.index % width_ + (is_right ? 1 : 0);
+  const int v = source.index / width_ + (is_lower ? 1 : 0);
+  const float nearest = inverseDepthAt(u, v);
+  if (nearest == 0.0F) return 0.0F;
+  const float extrapolated = nearest + (is_right ? right - 1.0F : right) * limitedSlope(u, v, 1, 0) +
+                             (is_lower ? down - 1.0F : down) * limitedSlope(u, v, 0, 1);
+  return extrapolated > 0.0F ? extrapolated : nearest;
+}
+
+float DepthRectifier::inverseDepthAt(int u, int v) const {
+  const bool is_inside = u >= 0 && u < width_ && v >= 0 && v < height_;
+  return is_inside ? inverse_depth_[static_cast<std::size_t>(v * width_ + u)] : 0.0F;
+}
+
+float DepthRectifier::limitedSlope(int u, int v, int du, int dv) const {
+  const float centre = inverseDepthAt(u, v);
+  const float before = inverseDepthAt(u - du, v - dv);
+  const float after = inverseDepthAt(u + du, v + dv);
+  if (before > 0.0F && after > 0.0F) return smallerSlope(centre - before, after - centre);
+  // With one neighbour only, the pixel beyond it has to continue the slope.
+  if (after > 0.0F) {
+    const float beyond = inverseDepthAt(u + 2 * du, v + 2 * dv);
+    return beyond > 0.0F ? smallerSlope(after - centre, beyond - after) : 0.0F;
+  }
+  const float beyond = inverseDepthAt(u - 2 * du, v - 2 * dv);
+  return before > 0.0F && beyond > 0.0F ? smallerSlope(centre - before, before - beyond) : 0.0F;
 }
 
 }  // namespace line_plane_segmentation

@@ -12,20 +12,21 @@
 
 namespace line_plane_segmentation {
 
-/// Rectifies raw depth images: each pixel gets the depth that a camera without distortion would see there.
-/// Depth along the optical axis does not change by that, so a rotation R is not applied: a depth camera has
-/// none.
+/// Rectifies raw depth images: each pixel gets the depth that a camera without distortion would measure
+/// there. The rotation R of camera_info is not applied, since a depth camera has none; depths along the
+/// optical axis therefore stay as they are. Depth is interpolated linearly in inverse depth, and not across
+/// depth steps.
 ///
 /// The distortion is that of camera_info: plumb_bob, rational_polynomial or equidistant. The tables are
 /// computed once for each calibration. Not thread-safe.
 class DepthRectifier {
  public:
-  /// Takes a calibration; returns at once if it is the one before.
-  /// @return false if its distortion is of an unknown kind
+  /// Sets the calibration; does nothing if it has not changed.
+  /// @return false if the distortion model is unknown or its coefficients are invalid
   bool setCamera(const sensor_msgs::CameraInfo& info, int width, int height);
 
-  /// Returns the camera of the rectified image: that of P where P differs from K; otherwise one that sees, in
-  /// an image of the same size, all that the raw image has left, right, above and below of its centre.
+  /// Returns the camera of the rectified image: that of P if P differs from K; otherwise one whose image of
+  /// the same size ends, on both of its axes, where the raw image ends.
   const CameraIntrinsics& camera() const { return camera_; }
 
   /// @pre setCamera() returned true for an image of this size
@@ -33,7 +34,8 @@ class DepthRectifier {
   DepthView rectify(const DepthView& raw);
 
  private:
-  /// Where a pixel comes from: the upper left one of four, and how far it is from that one [px / 256].
+  /// Position of a rectified pixel in the raw image: the upper left one of four pixels, and the offset from
+  /// it [px / 255].
   struct Source {
     std::int32_t index;  ///< -1: outside of the raw image
     std::uint8_t right;
@@ -42,13 +44,18 @@ class DepthRectifier {
 
   bool compute(const sensor_msgs::CameraInfo& info, int width, int height);
 
+  // All inverse depths [1/m], in which a plane is linear over the image; 0: invalid.
+  float interpolate(const Source& source) const;
+  float inverseDepthAt(int u, int v) const;
+  float limitedSlope(int u, int v, int du, int dv) const;
+
   std::optional<sensor_msgs::CameraInfo> info_;  // that of the tables
   bool is_known_ = false;
   int width_ = 0;
   int height_ = 0;
   CameraIntrinsics camera_;
   std::vector<Source> sources_;
-  std::vector<float> raw_;
+  std::vector<float> inverse_depth_;  // of the raw image [1/m], 0: invalid
   std::vector<float> rectified_;
 };
 

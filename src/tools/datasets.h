@@ -16,7 +16,7 @@ std::string datasetNames();
 /// Describes the known data sets, for --help.
 std::string datasetHelp();
 
-/// The frames of a sequence of a data set, in their order, with its depth scale and intrinsics.
+/// The frames of a sequence of a data set, in their order, with its depth unit and intrinsics.
 /// @param dataset  "tum", whose intrinsics depend on the sequence's name, "icl_nuim", "nyu", "7scenes" or
 /// "scannet"
 /// @param folder   of one sequence, as it is when unpacked

@@ -27,7 +27,7 @@ double parseNumber(const std::string& text) {
 void checkScale(double units_per_metre) {
   const auto metres_per_unit = static_cast<float>(1.0 / units_per_metre);
   if (!(metres_per_unit > 0.0F && std::isfinite(metres_per_unit))) {
-    throw BadInput("the depth scale, --units-per-metre, must be a positive number such as 1000");
+    throw BadInput("the depth unit must be a positive number, such as --depth-unit 0.001");
   }
 }
 
@@ -62,6 +62,7 @@ class NamedRow {
   NamedRow(const Row& columns, const Row& cells) {
     for (std::size_t i = 0; i < std::min(columns.size(), cells.size()); ++i) cells_[columns[i]] = cells[i];
   }
+  bool has(const std::string& column) const { return cells_.count(column) != 0; }
   const std::string& text(const std::string& column) const {
     const auto cell = cells_.find(column);
     if (cell == cells_.end()) throw BadInput("has no column '" + column + "'");
@@ -97,7 +98,8 @@ DepthFrame frameOfRow(const NamedRow& row, const std::filesystem::path& folder) 
   frame.image = imageOf(frame.name, folder / "depth");
   frame.camera = {row.number("fx"), row.number("fy"), row.number("cx"), row.number("cy")};
   if (!frame.camera.isValid()) throw BadInput("the focal lengths must be positive");
-  frame.units_per_metre = row.number("units_per_metre");
+  frame.units_per_metre =
+      row.has("depth_unit") ? 1.0 / row.number("depth_unit") : row.number("units_per_metre");
   checkScale(frame.units_per_metre);
   frame.width = row.pixels("width");
   frame.height = row.pixels("height");

@@ -32,14 +32,14 @@ const std::vector<std::string>& depthFormats();
 CameraIntrinsics parseCamera(const std::string& text);
 
 /// The frames of images that share one camera, each named after its file without the extension.
-/// @throws BadInput if the depth scale is no positive number
+/// @throws BadInput if the depth unit is not a positive number
 std::vector<DepthFrame> framesOfImages(const std::vector<std::string>& images, const CameraIntrinsics& camera,
                                        double units_per_metre);
 
 /// The frames of a table (CSV as RFC 4180: cells may be quoted, "" is a quote; a byte order mark is skipped)
-/// with the columns frame, width, height, units_per_metre, fx, fy, cx, cy; other columns are ignored. The
-/// images are depth/FRAME.png beside the table, or, where that does not exist, depth/FRAME with another
-/// extension of depthFormats().
+/// with the columns frame, width, height, depth_unit or units_per_metre, fx, fy, cx, cy; other columns are
+/// ignored. The images are depth/FRAME.png beside the table, or, where that does not exist, depth/FRAME with
+/// another extension of depthFormats().
 /// @throws BadInput if the table cannot be read, or says something that cannot be
 std::vector<DepthFrame> framesOfTable(const std::filesystem::path& table);
 

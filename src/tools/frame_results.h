@@ -22,7 +22,7 @@ struct FrameResults {
   std::filesystem::path planes;   ///< NAME.planes.json, which records the provenance of all three
 };
 
-/// Everything that the results of a frame depend on, except its image: camera, depth scale, parameters,
+/// Everything that the results of a frame depend on, except its image: camera, depth unit, parameters,
 /// version.
 nlohmann::json settingsOf(const DepthFrame& frame, const Parameters& parameters);
 

@@ -7,9 +7,11 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <cstdlib>
 #include <cstring>
 #include <random>
 #include <set>
+#include <stdexcept>
 
 #include "run_tool.h"
 
@@ -93,11 +95,24 @@ void checkName(const fs::path& file) {
   }
 }
 
-// Names of files that are open already, such as a standard output that is redirected to a file.
-bool isOpenFile(const fs::path& file) {
+// Descriptor of a file that is open already, such as a standard output that is redirected to a file;
+// otherwise -1.
+int openDescriptorOf(const fs::path& file) {
   const std::string name = file.string();
-  return name == "/dev/stdout" || name == "/dev/stderr" || name.rfind("/dev/fd/", 0) == 0 ||
-         name.rfind("/proc/self/fd/", 0) == 0;
+  if (name == "/dev/stdout") return STDOUT_FILENO;
+  if (name == "/dev/stderr") return STDERR_FILENO;
+  for (const std::string folder : {"/dev/fd/", "/proc/self/fd/"}) {
+    if (name.rfind(folder, 0) == 0) return std::atoi(name.c_str() + folder.size());
+  }
+  return -1;
+}
+
+// A copy of the descriptor has the same position: what the program prints to it later does not overwrite
+// this.
+int openDevice(const fs::path& file) {
+  const int open_descriptor = openDescriptorOf(file);
+  if (open_descriptor >= 0) return fcntl(open_descriptor, F_DUPFD_CLOEXEC, 0);
+  return ::open(file.c_str(), O_WRONLY | O_APPEND | O_NOCTTY | O_CLOEXEC);
 }
 
 fs::path targetOf(const fs::path& file) {
@@ -118,7 +133,17 @@ void makeOutputFolder(const fs::path& folder) {
     throw BadInput(folder.string() + ": may not write to this folder");
 }
 
-fs::path wholePath(const fs::path& path) { return fs::weakly_canonical(fs::absolute(path)); }
+fs::path wholePath(const fs::path& path) {
+  std::error_code error;
+  fs::path whole = fs::weakly_canonical(fs::absolute(path), error);
+  // Fails for links that lead to no file, as those of /dev/stdout to a pipe.
+  return error ? fs::absolute(path).lexically_normal() : whole;
+}
+
+bool isStream(const fs::path& file) {
+  std::error_code error;
+  return openDescriptorOf(file) >= 0 || fs::is_fifo(fs::status(file, error));
+}
 
 OutputFiles::~OutputFiles() {
   for (const Pending& pending : pending_) {
@@ -144,7 +169,7 @@ OutputFiles::Pending& OutputFiles::open(const fs::path& file) {
   if (fs::is_directory(status)) throw BadInput(file.string() + ": is a folder");
   Pending pending;
   pending.file = file;
-  pending.is_device = fs::is_character_file(status) || fs::is_fifo(status) || isOpenFile(file);
+  pending.is_device = fs::is_character_file(status) || isStream(file);
   pending.target = pending.is_device ? file : targetOf(file);
   if (fs::exists(status) && !pending.is_device && !fs::is_regular_file(status)) {
     throw BadInput(file.string() + ": is neither a file nor a character device");
@@ -157,7 +182,7 @@ OutputFiles::Pending& OutputFiles::open(const fs::path& file) {
     }
   }
   if (pending.is_device) {
-    pending.descriptor = ::open(file.c_str(), O_WRONLY | O_APPEND | O_NOCTTY | O_CLOEXEC);
+    pending.descriptor = openDevice(file);
   } else {
     pending.descriptor = openUnnamed(pending.target);
     if (pending.descriptor < 0 && lacksUnnamedFiles(errno)) {
@@ -183,6 +208,13 @@ void OutputFiles::add(const fs::path& file, const std::string& text) { add(file,
 
 void OutputFiles::add(const fs::path& file, const std::vector<unsigned char>& bytes) {
   add(file, bytes.data(), bytes.size());
+}
+
+void OutputFiles::append(const fs::path& file, const std::string& text) {
+  const auto found = std::find_if(pending_.begin(), pending_.end(),
+                                  [&](const Pending& pending) { return pending.file == file; });
+  if (found == pending_.end()) throw std::logic_error(file.string() + ": was not added");
+  writeAll(found->descriptor, text.data(), text.size(), file);
 }
 
 void OutputFiles::commit() {

@@ -15,6 +15,10 @@ void makeOutputFolder(const std::filesystem::path& folder);
 /// of the same file have the same absolute path, except for hard links.
 std::filesystem::path wholePath(const std::filesystem::path& path);
 
+/// Returns whether a file cannot be written in any order: a FIFO, or a name of a file that is open already,
+/// such as /dev/stdout.
+bool isStream(const std::filesystem::path& file);
+
 /// Files that appear together, whole, or not at all. The content goes into unnamed files of the same file
 /// system (O_TMPFILE). commit() writes them to the disk (fsync) and names them. A process that ends before,
 /// by whatever signal, leaves nothing behind. Where the file system has no unnamed files, uniquely named ones
@@ -46,6 +50,10 @@ class OutputFiles {
   void add(const std::filesystem::path& file, const void* bytes, std::size_t size);
   void add(const std::filesystem::path& file, const std::string& text);
   void add(const std::filesystem::path& file, const std::vector<unsigned char>& bytes);
+
+  /// Continues the content of a file that was added.
+  /// @throws BadInput if it cannot be written
+  void append(const std::filesystem::path& file, const std::string& text);
 
   /// Writes everything to the disk, then names every file and replaces previous files of these names.
   /// @throws BadInput if a file cannot be written

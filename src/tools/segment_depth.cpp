@@ -27,15 +27,15 @@ po::options_description options() {
   po::options_description shown("Options");
   shown.add_options()("camera", po::value<std::string>()->value_name("FX,FY,CX,CY"),
                       "focal lengths and optical centre [px]")(
-      "units-per-metre", po::value<double>()->value_name("N"),
-      "numbers in the depth images per metre: 1000 for millimetres, 5000 for TUM, 1 for metres; the older "
-      "name "
-      "--depth-scale is accepted, too")("dataset", po::value<std::string>()->value_name("NAME"),
-                                        "FOLDER is a sequence of tum, icl_nuim, nyu, 7scenes or scannet, "
-                                        "whose camera and depth units are known")(
+      "depth-unit", po::value<double>()->value_name("M"),
+      "depth of one count of the images [m]: 0.001 for millimetres, 0.0002 for TUM, 1 for metres; accepted, "
+      "too: the counts per metre as --units-per-metre or --depth-scale")(
+      "dataset", po::value<std::string>()->value_name("NAME"),
+      "FOLDER is a sequence of tum, icl_nuim, nyu, 7scenes or scannet, "
+      "whose camera and depth units are known")(
       "frames-csv", po::value<std::string>()->value_name("FILE"),
-      "a table of frames in place of --camera, --units-per-metre and IMAGE: columns frame, width, height, "
-      "units_per_metre, fx, fy, cx, cy; the images are depth/FRAME.png beside it")(
+      "a table of frames in place of --camera, --depth-unit and IMAGE: columns frame, width, height, "
+      "depth_unit or units_per_metre, fx, fy, cx, cy; the images are depth/FRAME.png beside it")(
       "out", po::value<std::string>()->value_name("DIR"), "folder for the results, made if it is not there")(
       "report", po::value<std::string>()->value_name("FILE.html"),
       "also make an HTML page with overlays, planes and times, complete in this one file")(
@@ -62,7 +62,7 @@ void printHelp() {
       << "Segments the planes of depth images on all cores. Images are 16-bit PNG, TIFF or PGM, 32-bit float "
          "TIFF or\n"
          "EXR, or NumPy arrays (.npy); 0 and NaN are invalid depth.\n\n"
-         "  rosrun line_plane_segmentation segment_depth --camera FX,FY,CX,CY --units-per-metre N --out DIR "
+         "  rosrun line_plane_segmentation segment_depth --camera FX,FY,CX,CY --depth-unit M --out DIR "
          "[OPTION]... IMAGE...|FOLDER\n"
          "  rosrun line_plane_segmentation segment_depth --dataset NAME --out DIR [OPTION]... FOLDER\n"
          "  rosrun line_plane_segmentation segment_depth --frames-csv FILE --out DIR [OPTION]...\n\n"
@@ -79,22 +79,30 @@ void printHelp() {
       << parameterList();
 }
 
-// The older name of an option, accepted but not shown.
-double unitsPerMetre(const po::variables_map& given) {
-  if (given.count("depth-scale") == 0) return required(given, "units-per-metre").as<double>();
-  if (given.count("units-per-metre") != 0)
-    throw BadInput("--units-per-metre and --depth-scale are the same; give one of them");
-  return given["depth-scale"].as<double>();
+// The options that give the depth unit. The older names, in counts per metre, are accepted but not shown.
+std::vector<std::string> unitOptions(const po::variables_map& given) {
+  std::vector<std::string> names;
+  for (const char* name : {"depth-unit", "units-per-metre", "depth-scale"}) {
+    if (given.count(name) != 0) names.emplace_back(name);
+  }
+  return names;
 }
 
-bool hasUnits(const po::variables_map& given) {
-  return given.count("depth-scale") != 0 || given.count("units-per-metre") != 0;
+bool hasUnits(const po::variables_map& given) { return !unitOptions(given).empty(); }
+
+double unitsPerMetre(const po::variables_map& given) {
+  const std::vector<std::string> names = unitOptions(given);
+  if (names.size() > 1) {
+    throw BadInput("--" + names[0] + " and --" + names[1] + " are the same; give one of them");
+  }
+  const double value = required(given, names.empty() ? "depth-unit" : names[0]).as<double>();
+  return names[0] == "depth-unit" ? 1.0 / value : value;
 }
 
 po::variables_map parse(int argc, char** argv) {
   po::options_description all = options();
   all.add_options()("image", po::value<std::vector<std::string>>()->default_value({}, ""))(
-      "depth-scale", po::value<double>());
+      "units-per-metre", po::value<double>())("depth-scale", po::value<double>());
   po::positional_options_description positional;
   positional.add("image", -1);
   return parseOptions(argc, argv, all, positional);
@@ -115,7 +123,7 @@ std::vector<DepthFrame> framesOf(const po::variables_map& given) {
   if (given.count("frames-csv") != 0) {
     if (given.count("camera") != 0 || given.count("dataset") != 0 || hasUnits(given) || !images.empty()) {
       throw BadInput(
-          "--frames-csv takes the place of --camera, --units-per-metre, --dataset and images; give one or "
+          "--frames-csv takes the place of --camera, --depth-unit, --dataset and images; give one or "
           "the other");
     }
     return framesOfTable(given["frames-csv"].as<std::string>());

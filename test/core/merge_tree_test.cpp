@@ -61,7 +61,7 @@ TEST(CrossingDetector, LinksNothingAcrossAStep) {
 struct Tree : MergeTree {
   CandidateImage image;
   explicit Tree(const DepthImage& depth, double limit = 4.4) : image(findCandidates(depth)) {
-    start(image.grid.candidates);
+    start(image.grid.candidates, image.grid.fractionPerCandidate());
     mergeLinked(image.grid.links, limit, {1.0 / 16, 1.0 / 4, 1.0, 1.0});
   }
 
@@ -118,7 +118,7 @@ TEST(MergeTree, CostIsTheAddedErrorPerPixelOfTheSmaller) {
 bool areTwoPlanes(const DepthImage& depth) {
   MergeTree tree;
   const CandidateImage image = findCandidates(depth);
-  tree.start(image.grid.candidates);
+  tree.start(image.grid.candidates, image.grid.fractionPerCandidate());
   int halves[2] = {-1, -1};
   for (int i = 0; i < tree.leaves(); ++i) {
     const int u = image.grid.candidates[static_cast<std::size_t>(i)].u;
@@ -155,7 +155,7 @@ TEST(MergeTree, TellsTwoPlanesFromOneAndFromABentOne) {
 
 TEST(MergeTree, OfNothingIsNothing) {
   MergeTree tree;
-  tree.start({});
+  tree.start({}, 0.0);
   tree.mergeLinked({}, 1.0, {1.0});
   EXPECT_EQ(tree.size(), 0);
 }

@@ -34,7 +34,9 @@ done
 for launch_file in "$1"/launch/*.launch; do
   name=$(basename "$launch_file")
   echo "$name"
-  [ "$name" = openni2.launch ] || roslaunch --files line_plane_segmentation "$name" bag:=x.bag >/dev/null
+  arguments=()
+  [ "$name" != playback.launch ] || arguments=(bag:=x.bag)
+  [ "$name" = openni2.launch ] || roslaunch --files line_plane_segmentation "$name" "${arguments[@]}" >/dev/null
 done
 python3 -c "
 from line_plane_segmentation import PlaneSegmenter

@@ -6,11 +6,13 @@ import copy
 import io
 import os
 import signal
+import struct
 import subprocess
 import tempfile
 import threading
 import time
 import unittest
+import zlib
 
 import genpy
 import rosbag
@@ -18,7 +20,7 @@ import rosnode
 import rospy
 import rostest
 from geometry_msgs.msg import TransformStamped
-from sensor_msgs.msg import CameraInfo, Image
+from sensor_msgs.msg import CameraInfo, CompressedImage, Image
 from tf2_msgs.msg import TFMessage
 
 from line_plane_segmentation.msg import PlaneArray
@@ -27,6 +29,7 @@ WIDTH, HEIGHT, FOCAL_LENGTH = 320, 240, 285.0
 FRAMES = 30
 # Slower than a camera: what is tested is that playing waits, not how fast the machine is.
 FRAMES_PER_SECOND = 10
+DEPTH_TOPIC = "depth_topic:=/kinect/depth/image_raw"
 PLANES = "/camera/plane_segmenter/planes"
 CAMERA_FRAME = "camera_depth_optical_frame"
 
@@ -36,7 +39,18 @@ def wall():
     return array.array("H", [2000] * (WIDTH * HEIGHT)).tobytes()
 
 
-def write_bag(path, namespace):
+def compressed(image):
+    """The same image as the plugin compressedDepth sends it: a header of 12 bytes and a PNG."""
+    def chunk(kind, data):
+        return struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data))
+
+    row = b"\0" + array.array("H", struct.pack(">H", 2000) * WIDTH).tobytes()
+    png = (b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", struct.pack(">IIBBBBB", WIDTH, HEIGHT, 16, 0, 0, 0, 0)) +
+           chunk(b"IDAT", zlib.compress(row * HEIGHT)) + chunk(b"IEND", b""))
+    return CompressedImage(header=image.header, format="16UC1; compressedDepth", data=bytes(12) + png)
+
+
+def write_bag(path, namespace, is_compressed=False):
     """A bag of FRAMES depth images, with tf and with a topic that nobody listens to. Returns the images' stamps."""
     image = Image(height=HEIGHT, width=WIDTH, encoding="16UC1", step=2 * WIDTH, data=wall())
     info = CameraInfo(height=HEIGHT, width=WIDTH, distortion_model="plumb_bob", D=[0.0] * 5)
@@ -54,7 +68,10 @@ def write_bag(path, namespace):
                 message.header.stamp = stamp
             image.header.frame_id = info.header.frame_id = CAMERA_FRAME
             bag.write("/tf", TFMessage([mount]), stamp)
-            bag.write(namespace + "/image_raw", image, stamp)
+            if is_compressed:
+                bag.write(namespace + "/image_raw/compressedDepth", compressed(image), stamp)
+            else:
+                bag.write(namespace + "/image_raw", image, stamp)
             bag.write(namespace + "/camera_info", info, stamp)
             bag.write("/unheard", info, stamp)
     return stamps
@@ -87,8 +104,7 @@ class PlaybackLaunchTest(unittest.TestCase):
             if len(arrays) >= FRAMES:
                 enough.set()
 
-        command = ["roslaunch", "line_plane_segmentation", "playback.launch", "rviz:=false", "bag:=" + bag,
-                   "depth_topic:=/kinect/depth/image_raw"]
+        command = ["roslaunch", "line_plane_segmentation", "playback.launch", "rviz:=false", "bag:=" + bag]
         launch = subprocess.Popen(command + list(options), cwd=folder, env=dict(os.environ, PWD=folder))
         try:
             self.wait_for_publisher(PLANES)
@@ -107,7 +123,7 @@ class PlaybackLaunchTest(unittest.TestCase):
     def test_every_image_is_answered_as_by_segment_bag(self):
         with tempfile.TemporaryDirectory() as folder:
             stamps = write_bag(os.path.join(folder, "a wall.bag"), "/kinect/depth")
-            arrays, _ = self.play(folder, "a wall.bag")
+            arrays, _ = self.play(folder, "a wall.bag", DEPTH_TOPIC)
             self.assertFalse(rospy.has_param("/use_sim_time"), "it is left behind")
             subprocess.run(["rosrun", "line_plane_segmentation", "segment_bag", "a wall.bag", "out.bag"], cwd=folder,
                            check=True)
@@ -119,13 +135,23 @@ class PlaybackLaunchTest(unittest.TestCase):
             self.assertEqual((WIDTH, HEIGHT), (message.image_width, message.image_height))
             self.assertEqual(1, len(message.planes), "one wall")
 
+    def test_compressed_images_are_played(self):
+        with tempfile.TemporaryDirectory() as folder:
+            stamps = write_bag(os.path.join(folder, "in.bag"), "/kinect/depth", is_compressed=True)
+            arrays, _ = self.play(folder, "in.bag", DEPTH_TOPIC + "/compressedDepth")
+        self.assertEqual(stamps, [message.header.stamp for message in arrays])
+        for message in arrays:
+            self.assertEqual(1, len(message.planes), "one wall")
+            self.assertAlmostEqual(2.0, message.planes[0].coefficients.coef[3], delta=0.01)
+
     def test_wrong_input_is_refused_before_anything_starts(self):
         with tempfile.TemporaryDirectory() as folder:
             write_bag(os.path.join(folder, "in.bag"), "/kinect/depth")
             for arguments, complaint in (
                     (["bag:=in.bag"], "it has no topic /camera/depth/image_raw and no topic /camera/depth/camera_info. "
-                                      "Its images and clouds: /kinect/depth/image_raw"),
-                    (["bag:=in.bag", "depth_topic:=/kinect/depth/image_raw", "segmented:=true"],
+                                      "Its images and clouds: /kinect/depth/image_raw; its camera_info: "
+                                      "/kinect/depth/camera_info /unheard"),
+                    (["bag:=in.bag", DEPTH_TOPIC, "segmented:=true"],
                      "it has no topic /kinect/plane_segmenter/planes"),
                     (["bag:=out.bag"], "No such file"),
                     (["bag:=in.bag", "dept_topic:=/x"], "no argument 'dept_topic'; did you mean 'depth_topic'?")):
@@ -141,7 +167,7 @@ class PlaybackLaunchTest(unittest.TestCase):
             stamps = write_bag(os.path.join(folder, "in.bag"), "/kinect/depth")
             subprocess.run(["rosrun", "line_plane_segmentation", "segment_bag", "in.bag", "out.bag", "--all", "--set",
                             "max_range=1.9"], cwd=folder, check=True)
-            arrays, nodes = self.play(folder, "out.bag", "segmented:=true")
+            arrays, nodes = self.play(folder, "out.bag", DEPTH_TOPIC, "segmented:=true")
         self.assertEqual(stamps, [message.header.stamp for message in arrays])
         for message in arrays:
             self.assertEqual(0, len(message.planes), "the wall is beyond the range: a segmenter here would find it")

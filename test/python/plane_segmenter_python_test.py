@@ -86,7 +86,9 @@ class PlaneSegmenterTest(unittest.TestCase):
         unaligned = np.frombuffer(b"\0" + depth.tobytes(), np.uint8)[1:].view(np.uint16).reshape(depth.shape)
         self.assert_same(expected, segmenter.segment(unaligned, CAMERA))
         # These are the same but for the last digit of a float.
-        for result in (segmenter.segment(5 * depth, CAMERA, metres_per_unit=0.0002),
+        for result in (segmenter.segment(5 * depth, CAMERA, depth_unit=0.0002),
+                       segmenter.segment(5 * depth, CAMERA, 0.0002),
+                       segmenter.segment(5 * depth, CAMERA, metres_per_unit=0.0002),
                        segmenter.segment(depth.astype(np.float32) * np.float32(0.001), CAMERA)):
             np.testing.assert_array_equal(expected.labels, result.labels)
             self.assertAlmostEqual(expected.planes[0].d, result.planes[0].d, delta=1e-5)
@@ -146,8 +148,10 @@ class PlaneSegmenterTest(unittest.TestCase):
                 segment(depth, wrong)
         with self.assertRaises(TypeError):
             segment(depth, (525, 525, 320))
-        with self.assertRaisesRegex(ValueError, "metres_per_unit"):
-            segment(depth, CAMERA, metres_per_unit=0)
+        with self.assertRaisesRegex(ValueError, "depth_unit must be positive"):
+            segment(depth, CAMERA, depth_unit=0)
+        with self.assertRaisesRegex(ValueError, "are the same; give one of them"):
+            segment(depth, CAMERA, depth_unit=0.001, metres_per_unit=0.001)
         with self.assertRaisesRegex(ValueError, "no preset is named 'lidar'"):
             PlaneSegmenter("lidar")
         with self.assertRaisesRegex(ValueError, "no parameter is named 'speed'"):

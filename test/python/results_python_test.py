@@ -86,7 +86,7 @@ class ResultsTest(unittest.TestCase):
         segmenter = PlaneSegmenter(max_range=np.float32(2.5), min_plane_inliers=np.int64(50), trace_outlines=np.bool_(False))
         chosen = segmenter.parameters
         self.assertEqual((2.5, 50, False), (chosen["max_range"], chosen["min_plane_inliers"], chosen["trace_outlines"]))
-        self.assert_same(self.result, self.segmenter.segment(corner(), CAMERA, metres_per_unit=np.float64(1)))
+        self.assert_same(self.result, self.segmenter.segment(corner(), CAMERA, depth_unit=np.float64(1)))
 
     def test_the_remedy_for_a_wrong_type(self):
         with self.assertRaisesRegex(TypeError, r"float64; depth.astype\(numpy.float32\)"):
@@ -166,7 +166,7 @@ class ResultsTest(unittest.TestCase):
         text = PlaneSegmenter.__doc__
         for name in self.segmenter.parameters:
             self.assertRegex(text, r"(?m)^%s: \[" % name)
-        self.assertTrue(PlaneSegmenter.segment.__doc__.startswith("segment(depth, camera, metres_per_unit=None)"))
+        self.assertTrue(PlaneSegmenter.segment.__doc__.startswith("segment(depth, camera, depth_unit=None)"))
         for method in (PlaneTracker.track, Plane.transformed, Plane.orientation, PlaneSegmenter.set_parameters):
             self.assertTrue(method.__doc__.startswith(method.__name__ + "("), method.__doc__)
 

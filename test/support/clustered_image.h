@@ -25,7 +25,7 @@ struct CandidateImage {
   int candidateAt(int u, int v) const;
 };
 
-/// The same up to the clusters.
+/// The same up to the clusters that are planes.
 struct ClusteredImage : CandidateImage {
   std::vector<PlaneCluster> clusters;
   std::vector<int> cluster_of;  ///< index in `clusters` per candidate, -1 if none

@@ -109,6 +109,8 @@ TEST_F(FramesTable, TakesAnotherFormatWhereThereIsNoPng) {
 
 TEST_F(FramesTable, ColumnsGoByName) {
   const auto frames = read("cy,cx,fy,fx,units_per_metre,height,width,frame\n2,1,526,525,1000,3,4,b\n");
+  const auto in_metres = read("cy,cx,fy,fx,depth_unit,height,width,frame\n2,1,526,525,0.0002,3,4,b\n");
+  EXPECT_EQ(in_metres[0].units_per_metre, 5000);
   ASSERT_EQ(frames.size(), 1U);
   EXPECT_EQ(frames[0].name, "b");
   EXPECT_EQ(frames[0].camera.cx, 1);
@@ -120,7 +122,7 @@ TEST_F(FramesTable, TellsWhatIsWrongAndWhere) {
   expectRefused("frame,width\na,640\n", "line 2: has no column 'fx'");
   const std::string good = "a,640,480,1000,525,525,320,240,,\n";
   expectRefused(header_ + good + "b,640,480,1000,525,wide,320,240,,\n", "line 3: 'wide' is no number");
-  expectRefused(header_ + "a,640,480,0,525,525,320,240,,\n", "depth scale");
+  expectRefused(header_ + "a,640,480,0,525,525,320,240,,\n", "depth unit");
   expectRefused(header_ + "a,640,480,1000,-525,525,320,240,,\n", "focal lengths");
   expectRefused(header_ + "a,0,480,1000,525,525,320,240,,\n", "'0' is no width");
   expectRefused(header_ + "../a,640,480,1000,525,525,320,240,,\n", "no name of a frame");

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "output_files.h"
 
+#include <fcntl.h>
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
@@ -162,6 +163,33 @@ TEST(OutputFiles, WriteToStandardOutputBesideAFile) {
   files.add(folder / "a.txt", std::string("text"));
   files.commit();
   EXPECT_EQ(namesIn(folder.path()), Names{"a.txt"});
+}
+
+// A standard output that is redirected to a file has one position for all that is written to it.
+TEST(OutputFiles, ShareThePositionOfOpenFiles) {
+  const TemporaryFolder folder;
+  const int open_file = ::open((folder / "a.txt").c_str(), O_CREAT | O_WRONLY, 0600);
+  ASSERT_GE(open_file, 0);
+  const std::string name = "/dev/fd/" + std::to_string(open_file);
+  ASSERT_EQ(write(open_file, "before ", 7), 7);
+  OutputFiles files;
+  files.add(name, std::string("text "));
+  files.append(name, "and more ");
+  files.commit();
+  ASSERT_EQ(write(open_file, "after", 5), 5);
+  close(open_file);
+  EXPECT_EQ(textOf(folder / "a.txt"), "before text and more after");
+}
+
+TEST(OutputFiles, AreContinued) {
+  const TemporaryFolder folder;
+  OutputFiles files;
+  files.add(folder / "a.txt", std::string("one, "));
+  files.add(folder / "b.txt", std::string("other"));
+  files.append(folder / "a.txt", "two");
+  files.commit();
+  EXPECT_EQ(textOf(folder / "a.txt"), "one, two");
+  EXPECT_EQ(textOf(folder / "b.txt"), "other");
 }
 
 TEST(OutputFiles, NeverReplaceAnInput) {

@@ -115,7 +115,7 @@ TEST_F(SegmentDepth, SplitsItsWorkIntoShards) {
     expectRefused(shard(wrong), "--shard takes I/N");
 }
 
-TEST_F(SegmentDepth, AcceptsBothNamesOfTheUnits) {
+TEST_F(SegmentDepth, AcceptsAllNamesOfTheDepthUnit) {
   const std::string image = writeImage("wall.png", wall());
   const std::vector<std::string> rest{"--camera", "525,525,320,240", "--out", out(), image};
   const auto with = [&](std::vector<std::string> units) {
@@ -123,7 +123,9 @@ TEST_F(SegmentDepth, AcceptsBothNamesOfTheUnits) {
     return run(units);
   };
   expectRefused(with({"--units-per-metre", "5000", "--depth-scale", "5000"}), "are the same");
-  ASSERT_EQ(with({"--units-per-metre", "5000"}).exit_code, 0);
+  expectRefused(with({"--depth-unit", "0.0002", "--depth-scale", "5000"}), "are the same");
+  ASSERT_EQ(with({"--depth-unit", "0.0002"}).exit_code, 0);
+  EXPECT_NE(with({"--units-per-metre", "5000"}).out.find("finished before"), std::string::npos);
   EXPECT_NE(with({"--depth-scale", "5000"}).out.find("finished before"), std::string::npos);
 }
 

@@ -98,9 +98,9 @@ TEST_F(SegmentDepth, ExplainsItself) {
   const ToolResult result = run({"--help"});
   EXPECT_EQ(result.exit_code, 0);
   EXPECT_EQ(result.err, "");
-  for (const char* word :
-       {"--camera", "--units-per-metre", "--depth-scale", "--shard", "rosrun line_plane_segmentation",
-        "--out", "--preset", "--set", "--redo", "--report", "--dataset", "plane_distance"}) {
+  for (const char* word : {"--camera", "--depth-unit", "--units-per-metre", "--depth-scale", "--shard",
+                           "rosrun line_plane_segmentation", "--out", "--preset", "--set", "--redo",
+                           "--report", "--dataset", "plane_distance"}) {
     EXPECT_NE(result.out.find(word), std::string::npos) << word;
   }
 }
@@ -137,10 +137,10 @@ TEST_F(SegmentDepth, RefusesWrongOptions) {
   expectRefused(run({"--camera", "525,525,320", "--depth-scale", "1000", "--out", out(), image}),
                 "FX,FY,CX,CY");
   expectRefused(run({"--camera", "525,525,320,240", "--depth-scale", "0", "--out", out(), image}),
-                "depth scale");
+                "depth unit");
   expectRefused(run({"--camera", "525,525,320,240", "--depth-scale", "many", "--out", out(), image}), "many");
   expectRefused(run({"--depth-scale", "1000", "--out", out(), image}), "--camera is missing");
-  expectRefused(run({"--camera", "525,525,320,240", "--out", out(), image}), "--units-per-metre is missing");
+  expectRefused(run({"--camera", "525,525,320,240", "--out", out(), image}), "--depth-unit is missing");
   expectRefused(run({"--camera", "525,525,320,240", "--depth-scale", "1000", image}), "--out is missing");
 }
 

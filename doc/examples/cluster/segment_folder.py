@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Segments a folder of 16-bit depth images with the workers of a dask cluster and writes one row for each plane.
 
-    segment_folder.py --camera 525,525,319.5,239.5 --metres-per-unit 0.001 FOLDER PLANES.csv
+    segment_folder.py --camera 525,525,319.5,239.5 --depth-unit 0.001 FOLDER PLANES.csv
 
 Without --scheduler it starts --workers processes on this machine. With --scheduler ADDRESS it uses a cluster that runs
 already; its workers need this Python module and must see FOLDER by the same path.
@@ -31,25 +31,25 @@ def segmenter_of_this_worker():
     return worker.plane_segmenter
 
 
-def rows_of(segmenter, path, camera, metres_per_unit):
+def rows_of(segmenter, path, camera, depth_unit):
     with Image.open(path) as image:
         depth = np.asarray(image).astype(np.uint16)
-    result = segmenter.segment(depth, camera, metres_per_unit)
+    result = segmenter.segment(depth, camera, depth_unit)
     return [(os.path.basename(path), p.label, *(repr(float(c)) for c in p.normal), repr(p.d), p.inliers, repr(p.rms),
              repr(p.area)) for p in result.planes]
 
 
-def rows_in_worker(path, camera, metres_per_unit):
-    return rows_of(segmenter_of_this_worker(), path, camera, metres_per_unit)
+def rows_in_worker(path, camera, depth_unit):
+    return rows_of(segmenter_of_this_worker(), path, camera, depth_unit)
 
 
 def images_in(folder):
     return sorted(os.path.join(folder, name) for name in os.listdir(folder) if name.endswith(".png"))
 
 
-def segment(client, folder, camera, metres_per_unit):
+def segment(client, folder, camera, depth_unit):
     """The rows of all images, in the order of their names."""
-    futures = client.map(rows_in_worker, images_in(folder), camera=camera, metres_per_unit=metres_per_unit)
+    futures = client.map(rows_in_worker, images_in(folder), camera=camera, depth_unit=depth_unit)
     return [row for rows in client.gather(futures) for row in rows]
 
 
@@ -65,7 +65,7 @@ def main():
     parser.add_argument("folder")
     parser.add_argument("planes")
     parser.add_argument("--camera", required=True, metavar="FX,FY,CX,CY")
-    parser.add_argument("--metres-per-unit", type=float, default=0.001)
+    parser.add_argument("--depth-unit", type=float, default=0.001)
     parser.add_argument("--workers", type=int, default=os.cpu_count(), help="processes on this machine")
     parser.add_argument("--scheduler", help="address of a running dask scheduler, tcp://HOST:8786")
     arguments = parser.parse_args()
@@ -75,7 +75,7 @@ def main():
     cluster = (dict(address=arguments.scheduler) if arguments.scheduler
                else dict(n_workers=arguments.workers, threads_per_worker=1, dashboard_address=None))
     with Client(**cluster) as client:
-        rows = segment(client, os.path.abspath(arguments.folder), camera, arguments.metres_per_unit)
+        rows = segment(client, os.path.abspath(arguments.folder), camera, arguments.depth_unit)
         print("%d planes in %d images, by %d workers" % (
             len(rows), len(images_in(arguments.folder)), len(client.scheduler_info()["workers"])))
     write(arguments.planes, rows)

@@ -32,6 +32,8 @@ void AdaptiveMethod::detectCandidates(const Frame& frame) {
 void AdaptiveMethod::extractPlanes(const Frame& frame, LabeledPlanes& planes) {
   clusterer_.cluster(frame.depth, frame.rays, grid_, frame.parameters, clusters_, cluster_of_);
   assigner_.assign(frame.depth, frame.rays, grid_, clusters_, cluster_of_, frame.parameters, planes.runs);
+  continuation_.find(frame.rays, grid_, clusters_, cluster_of_, frame.parameters, plane_of_);
+  planes.runs.relabel(plane_of_);
 }
 
 void AdaptiveMethod::refine(const Frame& frame, LabeledPlanes& planes) {

@@ -6,6 +6,7 @@
 #include "lines/line_growing.h"
 #include "methods/method.h"
 #include "planes/plane_clustering.h"
+#include "planes/plane_continuation.h"
 #include "refine/pixel_assignment.h"
 #include "refine/region_cleanup.h"
 
@@ -34,6 +35,8 @@ class AdaptiveMethod final : public SegmentationMethod {
   std::vector<PlaneCluster> clusters_;
   std::vector<int> cluster_of_;  // index in clusters_ per candidate, -1 if none
   PixelAssigner assigner_;
+  PlaneContinuation continuation_;
+  std::vector<int> plane_of_;  // index in clusters_ per cluster, -1 for no plane
   RegionCleaner cleaner_;
 };
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "planes/distortion.h"
 #include "planes/quadric_fit.h"
 
 namespace line_plane_segmentation {
@@ -21,7 +22,7 @@ constexpr double kNever = std::numeric_limits<double>::max();
 // since sensor distortion makes any deviation significant over enough candidates.
 constexpr double kTwoPlanes = 2.0;
 constexpr int kMinCompared = 8;          // candidates of either cluster: a plane has three parameters
-constexpr double kVarianceFloor = 0.05;  // [tolerance²] deviations below it do not count
+constexpr double kVarianceFloor = 0.05;  // [tolerance²] of small planes: deviations below it do not count
 
 double squaredError(const MergeTree::Node& node) {
   InverseDepthPlane plane;
@@ -36,7 +37,8 @@ double deviationOf(const RegressionMoments& m, const InverseDepthPlane& plane) {
 
 }  // namespace
 
-void MergeTree::start(const std::vector<CrossingCandidate>& candidates) {
+void MergeTree::start(const std::vector<CrossingCandidate>& candidates, double fraction_per_candidate) {
+  fraction_per_candidate_ = fraction_per_candidate;
   leaves_ = static_cast<int>(candidates.size());
   nodes_.clear();
   nodes_.reserve(2 * candidates.size());
@@ -128,7 +130,9 @@ bool MergeTree::isTwoPlanes(int a, int b, const Node& both) {
   double common = 0.0;
   if (!(first.means + second.means).fit(plane, common)) return false;
   const double apart = squaredError(first) + squaredError(second);
-  const double bound = kTwoPlanes * (apart / degrees_of_freedom + kVarianceFloor) * fewer;
+  const double fraction = (first.candidates + second.candidates) * fraction_per_candidate_;
+  const double floor = allowDistortion(kVarianceFloor, fraction);
+  const double bound = kTwoPlanes * (apart / degrees_of_freedom + floor) * fewer;
   if (common - apart < bound) return false;
   // Distortion bends planes smoothly, as a quadric does.
   listed_.clear();

@@ -26,7 +26,8 @@ class MergeTree {
   };
 
   /// Starts with one cluster for each candidate.
-  void start(const std::vector<CrossingCandidate>& candidates);
+  /// @param fraction_per_candidate  of the image
+  void start(const std::vector<CrossingCandidate>& candidates, double fraction_per_candidate);
 
   int size() const { return static_cast<int>(nodes_.size()); }
   int leaves() const { return leaves_; }
@@ -88,6 +89,7 @@ class MergeTree {
   std::vector<Node> nodes_;
   std::vector<int> parent_;
   int leaves_ = 0;
+  double fraction_per_candidate_ = 0.0;
   std::vector<Pair> pairs_;
   std::vector<int> listed_, stack_;
 };

@@ -5,15 +5,12 @@
 #include <cmath>
 #include <cstddef>
 
+#include "planes/distortion.h"
+
 namespace line_plane_segmentation {
 namespace {
 
 constexpr std::size_t kMaxClusters = 65534;  // 16-bit labels; 65535 marks invalid depth
-
-// Residual sensor distortion bends a plane smoothly, so that its deviation grows with the square of its
-// extent and the mean square with the square of the fraction of the image that it covers. At this fraction
-// the bounds for small planes are doubled.
-constexpr double kDistortedFraction = 0.045;
 
 // A cluster is curved if a quadric surface leaves less than this fraction of its variance about a plane.
 constexpr double kMaxResidualRatio = 0.25;
@@ -22,11 +19,6 @@ constexpr int kMinCurved = 8;  // candidates: a quadric has six parameters
 // A plane whose candidates span fewer scanlines than this in either direction is narrow: most of their
 // windows end at its borders.
 constexpr int kMinScanlines = 3;
-
-double allowDistortion(double bound, double fraction) {
-  const double relative = fraction / kDistortedFraction;
-  return bound * (1.0 + relative * relative);
-}
 
 // Whether candidates span few rows or few columns of the grid.
 bool isNarrow(const std::vector<int>& candidates, const CandidateGrid& grid) {
@@ -86,9 +78,8 @@ void PlaneClusterer::addPlanes(int root, double fraction_per_candidate, int min_
     planes_.push_back(root);
     return;
   }
-  if (root < tree_.leaves()) return;
   const std::size_t before = planes_.size();
-  addParts(root, fraction_per_candidate, min_candidates, parameters);
+  if (root >= tree_.leaves()) addParts(root, fraction_per_candidate, min_candidates, parameters);
   int candidates = 0;
   double squares = 0.0;
   for (std::size_t k = before; k < planes_.size(); ++k) {
@@ -98,12 +89,13 @@ void PlaneClusterer::addPlanes(int root, double fraction_per_candidate, int min_
   }
   const bool are_most = 2 * candidates >= node.candidates;
   if (!are_most || tree_.quadricVariance(root) * candidates < squares) planes_.resize(before);
+  if (planes_.size() == before) others_.push_back(root);
 }
 
 void PlaneClusterer::cluster(const DepthImage& depth, const ViewRays& rays, const CandidateGrid& grid,
                              const Parameters& parameters, std::vector<PlaneCluster>& clusters,
                              std::vector<int>& cluster_of) {
-  tree_.start(grid.candidates);
+  tree_.start(grid.candidates, grid.fractionPerCandidate());
   tree_.mergeLinked(grid.links, parameters.clusters.merge_cost,
                     {1.0 / 64, 1.0 / 16, 1.0 / 8, 1.0 / 4, 1.0 / 2, 1.0, 1.0});
 
@@ -113,6 +105,7 @@ void PlaneClusterer::cluster(const DepthImage& depth, const ViewRays& rays, cons
       std::max(parameters.clusters.min_patches,
                static_cast<int>(std::lround(parameters.extraction.min_plane_inliers / pixels_per_crossing)));
   planes_.clear();
+  others_.clear();
   for (int i = 0; i < tree_.size(); ++i) {
     if (tree_.isRoot(i)) addPlanes(i, grid.fractionPerCandidate(), min_candidates, parameters.clusters);
   }
@@ -120,14 +113,18 @@ void PlaneClusterer::cluster(const DepthImage& depth, const ViewRays& rays, cons
 
   clusters.clear();
   cluster_of.assign(grid.candidates.size(), -1);
-  for (const int plane : planes_) {
-    if (clusters.size() == kMaxClusters) break;
-    const std::vector<int>& candidates = tree_.candidatesOf(plane);
-    for (const int candidate : candidates)
-      cluster_of[static_cast<std::size_t>(candidate)] = static_cast<int>(clusters.size());
-    const MergeTree::Node& node = tree_.node(plane);
-    clusters.push_back({node, node.candidates, isNarrow(candidates, grid)});
-  }
+  for (const int plane : planes_) addCluster(plane, true, grid, clusters, cluster_of);
+  for (const int other : others_) addCluster(other, false, grid, clusters, cluster_of);
+}
+
+void PlaneClusterer::addCluster(int i, bool is_plane, const CandidateGrid& grid,
+                                std::vector<PlaneCluster>& clusters, std::vector<int>& cluster_of) {
+  if (clusters.size() == kMaxClusters) return;
+  const std::vector<int>& candidates = tree_.candidatesOf(i);
+  for (const int candidate : candidates)
+    cluster_of[static_cast<std::size_t>(candidate)] = static_cast<int>(clusters.size());
+  const MergeTree::Node& node = tree_.node(i);
+  clusters.push_back({node, node.candidates, is_plane, is_plane && isNarrow(candidates, grid)});
 }
 
 }  // namespace line_plane_segmentation

@@ -8,9 +8,10 @@
 
 namespace line_plane_segmentation {
 
-/// Candidates that lie in one plane.
+/// Candidates that grew together.
 struct PlaneCluster : FittedPixels {
   int candidates = 0;
+  bool is_plane = true;    ///< false for a curved or rough surface
   bool is_narrow = false;  ///< too few candidates to constrain the tilt: fit the plane to all of its pixels
 };
 
@@ -22,7 +23,7 @@ struct PlaneCluster : FittedPixels {
 /// planes are merged across what occludes them.
 class PlaneClusterer {
  public:
-  /// @param clusters    receives the planes
+  /// @param clusters    receives the planes, then the surfaces that are none
   /// @param cluster_of  receives the index in `clusters` per candidate, -1 if none
   void cluster(const DepthImage& depth, const ViewRays& rays, const CandidateGrid& grid,
                const Parameters& parameters, std::vector<PlaneCluster>& clusters,
@@ -35,9 +36,13 @@ class PlaneClusterer {
   void addPlanes(int root, double fraction_per_candidate, int min_candidates,
                  const ClusterParameters& parameters);
 
+  void addCluster(int node, bool is_plane, const CandidateGrid& grid, std::vector<PlaneCluster>& clusters,
+                  std::vector<int>& cluster_of);
+
   MergeTree tree_;
   CoplanarMerger coplanar_merger_;
   std::vector<int> planes_;  // nodes
+  std::vector<int> others_;  // nodes that are no planes and have no parts that are
   std::vector<int> parts_;   // nodes still to be judged
 };
 

@@ -62,6 +62,14 @@ void LabelRuns::scan(const std::vector<std::uint16_t>& labels, int width, int he
   }
 }
 
+void LabelRuns::relabel(const std::vector<int>& plane_of) {
+  for (LabelRun& run : runs) {
+    if (run.label != 0 && run.label != kNoDepthLabel)
+      run.label = static_cast<std::uint16_t>(plane_of[run.label - 1U] + 1);
+  }
+  join();
+}
+
 void LabelRuns::join() {
   std::size_t kept = 0;
   for (std::size_t row = 0; row + 1 < row_begin.size(); ++row) {

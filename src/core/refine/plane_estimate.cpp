@@ -8,9 +8,6 @@
 namespace line_plane_segmentation {
 namespace {
 
-// Pixels that share their errors, so that so many count as one.
-constexpr double kSharedErrors = 12.0;
-
 constexpr double kIndependentPixels = 8.0;
 
 }  // namespace

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "depth/depth_image.h"
+#include "line_plane_segmentation/parameters.h"
+#include "planes/crossing_candidates.h"
+#include "planes/plane_clustering.h"
+
+namespace line_plane_segmentation {
+
+/// Parts of a plane that come out as clusters of their own. Residual sensor distortion bends large planes, most
+/// of all in the corners of the image, so that a part there is another plane, or no plane at all.
+///
+/// A cluster continues a larger plane if both lie beside each other, agree in depth there, and turn by no more
+/// than distortion and the uncertainty of the smaller one's slope explain.
+class PlaneContinuation {
+ public:
+  /// @param cluster_of  index in `clusters` per candidate, -1 if none
+  /// @param plane_of    receives, per cluster, the cluster of the plane that it belongs to: itself for a
+  ///                    plane that continues no other, -1 for what is in no plane
+  void find(const ViewRays& rays, const CandidateGrid& grid, const std::vector<PlaneCluster>& clusters,
+            const std::vector<int>& cluster_of, const Parameters& parameters, std::vector<int>& plane_of);
+
+ private:
+  /// Candidates of two clusters beside each other, in one row or column of the grid.
+  struct Contact {
+    std::uint32_t clusters;  ///< the lower index in the upper half
+    std::uint32_t order;     ///< in which the contacts were found
+    int count;
+    double squared_gap;  ///< [tolerance²] sum of the planes' differences in depth
+    double rho;          ///< [1/m] sum of their inverse depths
+  };
+
+  void addContact(const ViewRays& rays, const CandidateGrid& grid, const std::vector<PlaneCluster>& clusters,
+                  const DepthTolerance& tolerance, int cell, int other_cell);
+  void sumContacts();
+
+  std::vector<int> cluster_at_;  // per crossing, -1 if none
+  std::vector<Contact> contacts_;
+};
+
+}  // namespace line_plane_segmentation
