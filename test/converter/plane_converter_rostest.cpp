@@ -11,7 +11,7 @@
 #include <algorithm>
 #include <string>
 
-#include "test_camera.h"
+#include "ros/test_camera.h"
 
 namespace line_plane_segmentation {
 namespace {

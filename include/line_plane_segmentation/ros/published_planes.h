@@ -28,9 +28,9 @@ struct PublishedPlane {
 /// Poses of the camera in the other frames of tf that the outputs use.
 struct FramePoses {
   bool gravity_is_wanted = false;                         ///< true if a gravity frame is set
-  std::optional<Eigen::Isometry3d> gravity_from_optical;  ///< empty if no frame is set, or tf does not know it
+  std::optional<Eigen::Isometry3d> gravity_from_optical;  ///< empty if not set, or unknown to tf
   std::string fixed_frame;                                ///< empty if no frame is set
-  std::optional<Eigen::Isometry3d> fixed_from_optical;    ///< empty if no frame is set, or tf does not know it
+  std::optional<Eigen::Isometry3d> fixed_from_optical;    ///< empty if not set, or unknown to tf
 };
 
 /// The published planes of a segmentation, in the target frame.
