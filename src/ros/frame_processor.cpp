@@ -21,6 +21,7 @@ FrameProcessor::FrameProcessor(const std::string& name, const InputLimits& limit
     : outputs_(outputs),
       transforms_(transforms),
       advice_(name),
+      robot_(name),
       segmenter_(limits),
       locator_(transforms.buffer()),
       worker_(
@@ -49,6 +50,7 @@ void FrameProcessor::applyParameters() {
   parameters.method.outlines.trace_outlines &= trace_outlines;
   segmenter_.setParameters(parameters.method);
   locator_.setParameters(parameters.location);
+  robot_.setParameters(parameters.robot, parameters.method.noise, parameters.location.tracking);
   unknown_since_ = {};
 }
 
@@ -128,7 +130,7 @@ void FrameProcessor::process(const CameraFrame& frame) {
   const PublishedPlanes& published = locator_.locate(segmentation, input.camera, segmenter_.header(), places);
   const SegmentedFrame result = segmenter_.result(published);
   statistics_.untracked(locator_.untracked());
-  outputs_.publish(result);
+  outputs_.publish(result, robot_);
   if (outputs_.scanlinesWanted()) {
     outputs_.publishScanlines(result, segmenter_.lineSegments(), segmenter_.candidates());
   }

@@ -14,6 +14,7 @@
 #include "line_plane_segmentation/ros/parameter_config.h"
 #include "outputs.h"
 #include "plane_locator.h"
+#include "robot_messages.h"
 #include "transform_listener.h"
 
 namespace line_plane_segmentation {
@@ -54,6 +55,7 @@ class FrameProcessor {
 
   // Used by the worker thread only.
   InputAdvice advice_;
+  RobotMessages robot_;
   FrameSegmenter segmenter_;
   PlaneLocator locator_;
   bool tracing_outlines_ = true;

@@ -29,25 +29,43 @@ Outputs::Outputs(ros::NodeHandle private_nh, const std::function<void()>& subscr
       private_nh.advertise<visualization_msgs::MarkerArray>("markers", kLargeMessages, changed, changed);
   scanlines_ =
       private_nh.advertise<visualization_msgs::MarkerArray>("scanlines", kLargeMessages, changed, changed);
+  cloud_without_planes_ = private_nh.advertise<sensor_msgs::PointCloud2>("cloud_without_planes",
+                                                                         kLargeMessages, changed, changed);
+  objects_ = private_nh.advertise<SupportedObjectArray>("objects", kSmallMessages, changed, changed);
+  tracked_planes_ =
+      private_nh.advertise<TrackedPlaneArray>("tracked_planes", kSmallMessages, changed, changed);
 }
 
 bool Outputs::wanted() const {
-  for (const ros::Publisher* publisher : {&planes_, &labels_, &cloud_, &overlay_, &markers_, &scanlines_}) {
+  for (const ros::Publisher* publisher : {&planes_, &labels_, &cloud_, &overlay_, &markers_, &scanlines_,
+                                          &cloud_without_planes_, &objects_, &tracked_planes_}) {
     if (wantedBySomebody(*publisher)) return true;
   }
   return false;
 }
 
-bool Outputs::outlinesWanted() const { return wantedBySomebody(planes_) || wantedBySomebody(markers_); }
+bool Outputs::outlinesWanted() const {
+  return wantedBySomebody(planes_) || wantedBySomebody(markers_) || wantedBySomebody(tracked_planes_);
+}
 
 bool Outputs::scanlinesWanted() const { return wantedBySomebody(scanlines_); }
 
-void Outputs::publish(const SegmentedFrame& frame) const {
+void Outputs::publish(const SegmentedFrame& frame, RobotMessages& robot) const {
   publishIfWanted(planes_, frame, planesMessage);
   publishIfWanted(labels_, frame, labelsImage);
   publishIfWanted(cloud_, frame, coloredCloud);
   publishIfWanted(overlay_, frame, overlayImage);
-  publishIfWanted(markers_, frame, planeMarkers);
+  robot.start(frame);
+  if (wantedBySomebody(cloud_without_planes_)) cloud_without_planes_.publish(robot.cloudWithoutPlanes());
+  if (wantedBySomebody(objects_)) objects_.publish(robot.objects());
+  if (wantedBySomebody(tracked_planes_)) {
+    if (const TrackedPlaneArray::Ptr message = robot.trackedPlanes()) tracked_planes_.publish(message);
+  }
+  if (wantedBySomebody(markers_)) {
+    const visualization_msgs::MarkerArray::Ptr message = planeMarkers(frame);
+    robot.addObjectMarkers(*message);
+    markers_.publish(message);
+  }
 }
 
 void Outputs::publishScanlines(const SegmentedFrame& frame, const std::vector<LineSegment>& segments,

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "line_plane_segmentation/ros/conversions.h"
+#include "robot_messages.h"
 
 namespace line_plane_segmentation {
 
@@ -33,7 +34,8 @@ class Outputs {
   bool scanlinesWanted() const;
 
   /// Builds and publishes all outputs with subscribers, except the scanlines.
-  void publish(const SegmentedFrame& frame) const;
+  /// @param robot  builds the clouds and messages of obstacles, objects and tracked planes
+  void publish(const SegmentedFrame& frame, RobotMessages& robot) const;
 
   void publishScanlines(const SegmentedFrame& frame, const std::vector<LineSegment>& segments,
                         const std::vector<PlaneCandidate>& candidates) const;
@@ -45,6 +47,9 @@ class Outputs {
   ros::Publisher overlay_;
   ros::Publisher markers_;
   ros::Publisher scanlines_;
+  ros::Publisher cloud_without_planes_;
+  ros::Publisher objects_;
+  ros::Publisher tracked_planes_;
 };
 
 }  // namespace line_plane_segmentation

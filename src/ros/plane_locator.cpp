@@ -17,6 +17,12 @@ bool CameraPlaces::has(TransformLookup::Answer answer) const {
                      [answer](const TransformLookup* lookup) { return lookup->answer == answer; });
 }
 
+std::optional<Eigen::Isometry3d> PlaneLocator::poseIn(const std::string& frame,
+                                                      const TransformLookup& lookup) {
+  if (frame.empty() || !lookup.found()) return {};
+  return lookup.transform;
+}
+
 void PlaneLocator::setParameters(const LocationParameters& parameters) {
   // Poses in different fixed frames have no common motion.
   if (parameters.frames.fixed_frame != parameters_.frames.fixed_frame) last_pose_.reset();
@@ -49,8 +55,8 @@ bool PlaneLocator::isAnotherTime(const ros::Time& stamp) const {
 }
 
 std::optional<Eigen::Isometry3d> PlaneLocator::motionTo(const CameraPlaces& places) {
-  std::optional<Eigen::Isometry3d> pose, motion;
-  if (!parameters_.frames.fixed_frame.empty() && places.fixed.found()) pose = places.fixed.transform;
+  std::optional<Eigen::Isometry3d> motion;
+  const std::optional<Eigen::Isometry3d> pose = poseIn(parameters_.frames.fixed_frame, places.fixed);
   if (pose && last_pose_) motion = pose->inverse() * *last_pose_;
   last_pose_ = pose;
   return motion;
@@ -68,9 +74,11 @@ const PublishedPlanes& PlaneLocator::locate(const Segmentation& segmentation, co
       tracker_.track(segmentation, camera, header.stamp.toSec(), motion ? &*motion : nullptr);
 
   const FrameParameters& frames = parameters_.frames;
+  published_.poses = {!frames.gravity_frame.empty(), poseIn(frames.gravity_frame, places.gravity),
+                      frames.fixed_frame, poseIn(frames.fixed_frame, places.fixed)};
   std::optional<Eigen::Vector3d> up;
-  if (!frames.gravity_frame.empty() && places.gravity.found()) {
-    up = places.gravity.transform.linear().transpose() * Eigen::Vector3d::UnitZ();
+  if (published_.poses.gravity_from_optical) {
+    up = published_.poses.gravity_from_optical->linear().transpose() * Eigen::Vector3d::UnitZ();
   }
   published_.header = header;
   if (!frames.target_frame.empty()) published_.header.frame_id = frames.target_frame;

@@ -8,6 +8,7 @@
 #include <array>
 #include <cstddef>
 #include <optional>
+#include <string>
 
 #include "line_plane_segmentation/camera_intrinsics.h"
 #include "line_plane_segmentation/plane_tracker.h"
@@ -61,6 +62,7 @@ class PlaneLocator {
   std::size_t untracked() const { return tracker_.untracked(); }
 
  private:
+  static std::optional<Eigen::Isometry3d> poseIn(const std::string& frame, const TransformLookup& lookup);
   std::optional<Eigen::Isometry3d> motionTo(const CameraPlaces& places);
   bool isAnotherTime(const ros::Time& stamp) const;
 

@@ -29,9 +29,11 @@ void publishPlanes(const Segmentation& segmentation, const std::vector<std::uint
                    PublishedPlanes& published) {
   const double tolerance = parameters.orientation_tolerance * M_PI / 180.0;
   published.planes.clear();
+  published.orientations.clear();
   for (std::size_t k = 0; k < segmentation.planes.size(); ++k) {
     const SegmentedPlane& plane = segmentation.planes[k];
     const Orientation orientation = up ? orientationOf(plane.normal, *up, tolerance) : Orientation::kUnknown;
+    published.orientations.push_back(orientation);
     if (!isPublished(parameters, orientation)) continue;
     published.planes.push_back({transformed(plane, published.placement), ids[k], orientation});
   }

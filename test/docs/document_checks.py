@@ -39,7 +39,9 @@ class DocumentChecks(unittest.TestCase):
 
     def test_every_command_is_listed(self):
         self.assertGreater(len(self.commands), 30)
-        unlisted = ["%s: %s" % pair for pair in self.commands if pair[1] not in self.listed]
+        # test/tutorials/tutorials_test.py runs every command of every tutorial.
+        unlisted = ["%s: %s" % pair for pair in self.commands
+                    if pair[1] not in self.listed and not pair[0].startswith("doc/tutorials/")]
         self.assertFalse(unlisted, "say in test/docs/commands.txt how these are tested:" + lines(unlisted))
         used = {command for _, command in self.commands}
         unused = [command for command in self.listed if command not in used]

@@ -15,8 +15,9 @@ using Anything = Inbox<topic_tools::ShapeShifter>;
 
 /// Names of all topics that a segmenter publishes.
 inline const std::vector<std::string>& outputs() {
-  static const std::vector<std::string> kOutputs = {"planes",  "labels",  "cloud",
-                                                    "overlay", "markers", "scanlines"};
+  static const std::vector<std::string> kOutputs = {
+      "planes",  "labels",        "cloud", "overlay", "markers", "scanlines", "cloud_without_planes",
+      "objects", "tracked_planes"};
   return kOutputs;
 }
 

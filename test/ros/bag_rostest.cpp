@@ -4,6 +4,7 @@
 #include <geometry_msgs/TransformStamped.h>
 #include <gtest/gtest.h>
 #include <line_plane_segmentation/PlaneArray.h>
+#include <line_plane_segmentation/TrackedPlaneArray.h>
 #include <rosbag/bag.h>
 #include <rosbag/view.h>
 #include <sensor_msgs/Image.h>
@@ -68,6 +69,17 @@ bool isDesk(const Plane& plane, const Eigen::Isometry3d& camera_in_world) {
 Eigen::Isometry3d toEigen(const geometry_msgs::Transform& t) {
   return Eigen::Translation3d(t.translation.x, t.translation.y, t.translation.z) *
          Eigen::Quaterniond(t.rotation.w, t.rotation.x, t.rotation.y, t.rotation.z);
+}
+
+// Root mean square of the angles [deg] between unit vectors and their mean.
+double spread(const std::vector<Eigen::Vector3d>& vectors) {
+  Eigen::Vector3d mean = Eigen::Vector3d::Zero();
+  for (const Eigen::Vector3d& vector : vectors) mean += vector;
+  double sum = 0.0;
+  for (const Eigen::Vector3d& vector : vectors) {
+    sum += std::pow(std::atan2(vector.cross(mean).norm(), vector.dot(mean)), 2);
+  }
+  return std::sqrt(sum / static_cast<double>(vectors.size())) * 180.0 / M_PI;
 }
 
 class BagTest : public testing::Test {
@@ -153,6 +165,15 @@ class BagTest : public testing::Test {
     EXPECT_GE(level, 70);
   }
 
+  // The id that the desk has in most frames.
+  std::uint32_t idOfDesk() const {
+    std::map<std::uint32_t, int> frames_of_id;
+    for (const Plane& desk : desks()) ++frames_of_id[desk.id];
+    const auto most = std::max_element(frames_of_id.begin(), frames_of_id.end(),
+                                       [](const auto& a, const auto& b) { return a.second < b.second; });
+    return most == frames_of_id.end() ? 0 : most->first;
+  }
+
   std::string path_;
   std::vector<ros::Time> stamps_;
   tf2::BufferCore transforms_{ros::Duration(3600.0)};
@@ -201,6 +222,35 @@ TEST_F(BagTest, theDeskStandsInTheWorld) {
   EXPECT_EQ(answers_.size(), static_cast<std::size_t>(in_world));
   EXPECT_GE(in_world, 85);
   EXPECT_GE(with_desk, 65);
+}
+
+// The images' timestamps are late, so that single normals tilt while the camera turns.
+TEST_F(BagTest, theFusedDeskSpreadsAtMostHalfAsMuch) {
+  std::map<ros::Time, TrackedPlaneArray::ConstPtr> tracked;
+  const ros::Subscriber subscriber = ros::NodeHandle().subscribe<TrackedPlaneArray>(
+      "plane_segmenter/tracked_planes", 1000,
+      [&](const TrackedPlaneArray::ConstPtr& message) { tracked[message->header.stamp] = message; });
+  play();
+  const std::uint32_t id = idOfDesk();
+  std::vector<Eigen::Vector3d> single, fused;
+  for (const PlaneArray::ConstPtr& answer : answers_) {
+    const auto message = tracked.find(answer->header.stamp);
+    const auto plane = std::find_if(answer->planes.begin(), answer->planes.end(),
+                                    [id](const Plane& candidate) { return candidate.id == id; });
+    if (message == tracked.end() || plane == answer->planes.end()) continue;
+    const std::vector<TrackedPlane>& tracks = message->second->planes;
+    const auto track = std::find_if(tracks.begin(), tracks.end(),
+                                    [id](const TrackedPlane& candidate) { return candidate.plane.id == id; });
+    ASSERT_NE(tracks.end(), track);
+    const auto &one = plane->coefficients.coef, &all = track->plane.coefficients.coef;
+    single.push_back(cameraInWorld(*answer, ros::Duration(0.0)).linear() *
+                     Eigen::Vector3d(one[0], one[1], one[2]));
+    fused.emplace_back(all[0], all[1], all[2]);
+  }
+  ASSERT_GE(single.size(), 80U);
+  std::cout << "the desk's normal in " << single.size() << " frames: spread " << spread(single)
+            << " deg frame by frame, fused " << spread(fused) << " deg\n";
+  EXPECT_LE(spread(fused), 0.5 * spread(single));
 }
 
 }  // namespace

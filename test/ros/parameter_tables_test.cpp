@@ -60,7 +60,8 @@ void expectDefaults(const std::string& file, std::size_t least_count) {
       continue;
     }
     ASSERT_EQ(1U, numbers.count(name)) << name << " is not a parameter";
-    const double expected = text == "true" || text == "adaptive" ? 1.0 : std::stod(text);
+    const bool is_one = text == "true" || text == "adaptive", is_zero = text == "false";
+    const double expected = is_one ? 1.0 : is_zero ? 0.0 : std::stod(text);
     EXPECT_DOUBLE_EQ(expected, numbers.at(name)) << name;
   }
 }

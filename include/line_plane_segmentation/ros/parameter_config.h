@@ -10,6 +10,7 @@
 #include "line_plane_segmentation/parameters.h"
 #include "line_plane_segmentation/plane_tracker.h"
 #include "line_plane_segmentation/ros/location_parameters.h"
+#include "line_plane_segmentation/ros/robot_parameters.h"
 
 namespace line_plane_segmentation {
 
@@ -18,6 +19,7 @@ struct NodeletParameters {
   std::string preset = "kinect";  ///< which preset `method` is, or "custom"
   Parameters method;
   LocationParameters location;
+  RobotParameters robot;
 };
 
 /// Calls `visitor(name, value, min, max)` like visitParameters(), for all parameters except texts.
@@ -26,6 +28,7 @@ void visitNodeletParameters(ParametersType& p, Visitor&& visitor) {
   visitParameters(p.method, visitor);
   visitTrackingParameters(p.location.tracking, visitor);
   visitOrientationParameters(p.location.orientation, visitor);
+  visitRobotParameters(p.robot, visitor);
   visitor("tf_patience", p.location.frames.tf_patience, 0.0, 1.0);
 }
 

@@ -6,6 +6,7 @@
 #include <Eigen/Geometry>
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "line_plane_segmentation/orientation.h"
@@ -24,12 +25,22 @@ struct PublishedPlane {
   Orientation orientation = Orientation::kUnknown;
 };
 
+/// Poses of the camera in the other frames of tf that the outputs use.
+struct FramePoses {
+  bool gravity_is_wanted = false;                         ///< true if a gravity frame is set
+  std::optional<Eigen::Isometry3d> gravity_from_optical;  ///< empty if not set, or unknown to tf
+  std::string fixed_frame;                                ///< empty if no frame is set
+  std::optional<Eigen::Isometry3d> fixed_from_optical;    ///< empty if not set, or unknown to tf
+};
+
 /// The published planes of a segmentation, in the target frame.
 struct PublishedPlanes {
   std_msgs::Header header;  ///< timestamp of the depth image, and the target frame
   Eigen::Isometry3d placement =
       Eigen::Isometry3d::Identity();      ///< maps points of the optical frame to the target frame
   std::vector<PublishedPlane> planes;     ///< planes of published orientations, largest first
+  std::vector<Orientation> orientations;  ///< of all planes, in the order of Segmentation::planes
+  FramePoses poses;
   std::vector<Eigen::Vector3f> vertices;  ///< [m] Segmentation::vertices in the target frame
 };
 

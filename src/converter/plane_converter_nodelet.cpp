@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "plane_converter_nodelet.h"
+
+#include <ros/console.h>
+#include <ros/node_handle.h>
+
+#include <algorithm>
+#include <exception>
+#include <limits>
+#include <pluginlib/class_list_macros.hpp>
+#include <stdexcept>
+#include <string>
+
+#ifdef LPS_WITH_JSK
+#include "jsk_messages.h"
+#endif
+
+namespace line_plane_segmentation {
+namespace {
+
+constexpr unsigned kQueueSize = 10;
+
+bool hasSubscriber(const ros::Publisher& publisher) { return publisher && publisher.getNumSubscribers() > 0; }
+
+// roscpp takes a parameter of the wrong type for one that is not set.
+template <typename T>
+T parameter(const ros::NodeHandle& nh, const std::string& name, const T& fallback,
+            const std::string& demand) {
+  T value = fallback;
+  if (nh.hasParam(name) && !nh.getParam(name, value))
+    throw std::invalid_argument("~" + name + " must be " + demand);
+  return value;
+}
+
+PlaneChoice choiceOf(const ros::NodeHandle& nh) {
+  PlaneChoice choice;
+  const std::string whole = "a whole number, 0 for the largest plane";
+  const int id = parameter(nh, "id", 0, whole);
+  if (id < 0) throw std::invalid_argument("~id must be " + whole);
+  choice.id = static_cast<std::uint32_t>(id);
+  const std::string names = "horizontal_up, horizontal_down, vertical, slanted, unknown, or empty for any";
+  const std::string orientation = parameter<std::string>(nh, "orientation", "", names);
+  if (orientation.empty()) return choice;
+  choice.orientation = orientationNamed(orientation);
+  if (!choice.orientation) throw std::invalid_argument("~orientation must be " + names);
+  return choice;
+}
+
+// Takes the message with this stamp out of a queue, and all that came before it. Null if there is none.
+template <typename MessagePtr>
+MessagePtr take(std::deque<MessagePtr>& waiting, const ros::Time& stamp) {
+  const auto found = std::find_if(waiting.begin(), waiting.end(),
+                                  [&](const MessagePtr& message) { return message->header.stamp == stamp; });
+  if (found == waiting.end()) return nullptr;
+  const MessagePtr message = *found;
+  waiting.erase(waiting.begin(), found + 1);
+  return message;
+}
+
+template <typename MessagePtr>
+void keep(std::deque<MessagePtr>& waiting, const MessagePtr& message) {
+  waiting.push_back(message);
+  if (waiting.size() > kQueueSize) waiting.pop_front();
+}
+
+}  // namespace
+
+// Nothing may be thrown out of here: nodelet would go on using what it has deleted.
+void PlaneConverterNodelet::onInit() {
+  try {
+    {
+      const std::lock_guard<std::mutex> lock(connect_mutex_);
+      start();
+    }
+    updateSubscriptions();
+  } catch (const std::exception& exception) {
+    ROS_ERROR("[%s] does not start: %s", getName().c_str(), exception.what());
+  }
+}
+
+void PlaneConverterNodelet::start() {
+  ros::NodeHandle& nh = getPrivateNodeHandle();
+  choice_ = choiceOf(nh);
+  const ros::SubscriberStatusCallback changed = [this](const ros::SingleSubscriberPublisher&) {
+    updateSubscriptions();
+  };
+  model_ = nh.advertise<pcl_msgs::ModelCoefficients>("model", kQueueSize, changed, changed);
+  inliers_ = nh.advertise<pcl_msgs::PointIndices>("inliers", kQueueSize, changed, changed);
+  polygon_ = nh.advertise<geometry_msgs::PolygonStamped>("polygon", kQueueSize, changed, changed);
+  markers_ = nh.advertise<visualization_msgs::MarkerArray>("markers", kQueueSize, changed, changed);
+#ifdef LPS_WITH_JSK
+  jsk_polygons_ =
+      nh.advertise<jsk_recognition_msgs::PolygonArray>("polygon_array", kQueueSize, changed, changed);
+  jsk_coefficients_ = nh.advertise<jsk_recognition_msgs::ModelCoefficientsArray>(
+      "coefficients_array", kQueueSize, changed, changed);
+#endif
+  is_ready_ = true;
+}
+
+void PlaneConverterNodelet::updateSubscriptions() {
+  const std::lock_guard<std::mutex> lock(connect_mutex_);
+  if (!is_ready_) return;
+  bool is_wanted = false;
+  for (const ros::Publisher* publisher :
+       {&model_, &inliers_, &polygon_, &markers_, &jsk_polygons_, &jsk_coefficients_}) {
+    is_wanted |= hasSubscriber(*publisher);
+  }
+  ros::NodeHandle& nh = getNodeHandle();
+  if (!is_wanted) {
+    planes_.shutdown();
+  } else if (!planes_) {
+    planes_ = nh.subscribe("planes", kQueueSize, &PlaneConverterNodelet::convert, this);
+  }
+  if (!hasSubscriber(inliers_)) {
+    labels_.shutdown();
+  } else if (!labels_) {
+    labels_ = nh.subscribe("labels", kQueueSize, &PlaneConverterNodelet::pairLabels, this);
+  }
+}
+
+void PlaneConverterNodelet::convert(const PlaneArray::ConstPtr& planes) {
+  const Plane* plane = choosePlane(*planes, choice_);
+  if (hasSubscriber(model_)) model_.publish(modelCoefficients(*planes, plane));
+  if (hasSubscriber(polygon_)) polygon_.publish(polygon(*planes, plane));
+  if (hasSubscriber(markers_)) markers_.publish(choiceMarkers(*planes, plane));
+#ifdef LPS_WITH_JSK
+  if (hasSubscriber(jsk_polygons_)) jsk_polygons_.publish(jskPolygons(*planes));
+  if (hasSubscriber(jsk_coefficients_)) jsk_coefficients_.publish(jskCoefficients(*planes));
+#endif
+  if (hasSubscriber(inliers_)) pairPlanes(planes);
+}
+
+void PlaneConverterNodelet::pairPlanes(const PlaneArray::ConstPtr& planes) {
+  if (const auto labels = take(waiting_labels_, planes->header.stamp)) {
+    publishInliers(*planes, *labels);
+  } else {
+    keep(waiting_planes_, planes);
+  }
+}
+
+void PlaneConverterNodelet::pairLabels(const sensor_msgs::Image::ConstPtr& labels) {
+  if (const auto planes = take(waiting_planes_, labels->header.stamp)) {
+    publishInliers(*planes, *labels);
+  } else {
+    keep(waiting_labels_, labels);
+  }
+}
+
+void PlaneConverterNodelet::publishInliers(const PlaneArray& planes, const sensor_msgs::Image& labels) const {
+  inliers_.publish(pointIndices(planes, choosePlane(planes, choice_), labels));
+}
+
+}  // namespace line_plane_segmentation
+
+PLUGINLIB_EXPORT_CLASS(line_plane_segmentation::PlaneConverterNodelet, nodelet::Nodelet)

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <line_plane_segmentation/Plane.h>
+
+#include <cstddef>
+#include <cstdint>
+
+#include "line_plane_segmentation/hole_parts.h"
+#include "line_plane_segmentation/segmentation.h"
+
+namespace line_plane_segmentation {
+
+/// Writes the polygons of a plane into its message: outline, other parts and holes with their parts.
+/// @param plane  a plane of `segmentation`, in any frame
+/// @param positionOf  returns the vertex with an index into Segmentation::vertices, as an Eigen vector
+template <typename PositionOf>
+void addPolygons(const Segmentation& segmentation, const SegmentedPlane& plane, PositionOf&& positionOf,
+                 Plane& message) {
+  const auto polygonOf = [&](const Ring& ring) {
+    geometry_msgs::Polygon polygon;
+    polygon.points.reserve(static_cast<std::size_t>(ring.vertex_count));
+    for (int i = 0; i < ring.vertex_count; ++i) {
+      const Eigen::Vector3f vertex = positionOf(static_cast<std::size_t>(ring.first_vertex + i));
+      geometry_msgs::Point32 point;
+      point.x = vertex.x();
+      point.y = vertex.y();
+      point.z = vertex.z();
+      polygon.points.push_back(point);
+    }
+    return polygon;
+  };
+  for (int i = 0; i < plane.outer_ring_count + plane.hole_count; ++i) {
+    const Ring& ring = segmentation.rings[static_cast<std::size_t>(plane.first_ring + i)];
+    if (i == 0) {
+      message.outline = polygonOf(ring);
+    } else if (i < plane.outer_ring_count) {
+      message.other_parts.push_back(polygonOf(ring));
+    } else {
+      message.holes.push_back(polygonOf(ring));
+    }
+  }
+  for (const int part : partsOfHoles(segmentation, plane)) {
+    message.hole_parts.push_back(static_cast<std::uint32_t>(part));
+  }
+}
+
+}  // namespace line_plane_segmentation

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "robot_messages.h"
+
+#include <ros/console.h>
+
+#include <algorithm>
+
+namespace line_plane_segmentation {
+namespace {
+
+constexpr double kWarningPeriod = 60.0;  // [s]
+
+}  // namespace
+
+void RobotMessages::setParameters(const RobotParameters& robot, const NoiseParameters& noise,
+                                  const TrackingParameters& tracking) {
+  robot_ = robot;
+  noise_ = noise;
+  tracking_ = tracking;
+}
+
+void RobotMessages::start(const SegmentedFrame& frame) {
+  frame_ = &frame;
+  objects_ = nullptr;
+}
+
+sensor_msgs::PointCloud2::Ptr RobotMessages::cloudWithoutPlanes() const {
+  return line_plane_segmentation::cloudWithoutPlanes(*frame_, robot_.obstacles);
+}
+
+const std::vector<DetectedObject>& RobotMessages::detected() {
+  if (objects_ != nullptr) return *objects_;
+  const std::vector<SegmentedPlane>& planes = frame_->segmentation.planes;
+  supports_ = supportsOf(*frame_);
+  const auto isSmall = [&](std::size_t plane) {
+    return planes[plane].area < robot_.objects.min_support_area;
+  };
+  supports_.erase(std::remove_if(supports_.begin(), supports_.end(), isSmall), supports_.end());
+  const DepthScene scene{frame_->depth, frame_->range, frame_->camera, frame_->segmentation};
+  objects_ = &detector_.detect(scene, supports_, robot_.objects, noise_);
+  return *objects_;
+}
+
+SupportedObjectArray::Ptr RobotMessages::objects() {
+  if (!frame_->published.poses.gravity_is_wanted) {
+    ROS_WARN_THROTTLE(kWarningPeriod,
+                      "[%s] no objects are detected: set ~gravity_frame, so that horizontal planes are known",
+                      name_.c_str());
+  }
+  const std::vector<DetectedObject>& objects = detected();
+  return objectsMessage(*frame_, objects, supports_);
+}
+
+void RobotMessages::addObjectMarkers(visualization_msgs::MarkerArray& markers) {
+  line_plane_segmentation::addObjectMarkers(*frame_, detected(), markers);
+}
+
+TrackedPlaneArray::Ptr RobotMessages::trackedPlanes() {
+  if (frame_->published.poses.fixed_frame.empty()) {
+    ROS_WARN_THROTTLE(kWarningPeriod,
+                      "[%s] planes are not fused: set ~fixed_frame, in which they stand still",
+                      name_.c_str());
+  }
+  return tracked_planes_.fuse(*frame_, robot_.fusion, tracking_);
+}
+
+}  // namespace line_plane_segmentation

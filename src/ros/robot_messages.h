@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "line_plane_segmentation/parameters.h"
+#include "line_plane_segmentation/plane_tracker.h"
+#include "line_plane_segmentation/ros/robot_parameters.h"
+#include "objects_message.h"
+#include "obstacle_cloud.h"
+#include "tracked_planes.h"
+
+namespace line_plane_segmentation {
+
+/// Makes the messages for a robot's use: obstacles, objects, fused planes. Each is computed only when it is
+/// requested, the objects once per frame. Not thread-safe.
+class RobotMessages {
+ public:
+  /// @param name  of the nodelet, for the log
+  explicit RobotMessages(const std::string& name) : name_(name) {}
+
+  void setParameters(const RobotParameters& robot, const NoiseParameters& noise,
+                     const TrackingParameters& tracking);
+
+  /// Starts a frame. The frame must outlive all calls below until the next one.
+  void start(const SegmentedFrame& frame);
+
+  sensor_msgs::PointCloud2::Ptr cloudWithoutPlanes() const;
+  SupportedObjectArray::Ptr objects();
+  void addObjectMarkers(visualization_msgs::MarkerArray& markers);
+
+  /// @return null if the camera's pose in the fixed frame is unknown
+  TrackedPlaneArray::Ptr trackedPlanes();
+
+ private:
+  const std::vector<DetectedObject>& detected();
+
+  std::string name_;
+  RobotParameters robot_;
+  NoiseParameters noise_;
+  TrackingParameters tracking_;
+  const SegmentedFrame* frame_ = nullptr;
+  ObjectDetector detector_;
+  std::vector<std::size_t> supports_;
+  const std::vector<DetectedObject>* objects_ = nullptr;  // of this frame, once they are detected
+  TrackedPlanes tracked_planes_;
+};
+
+}  // namespace line_plane_segmentation
