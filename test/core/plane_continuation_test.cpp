@@ -23,8 +23,7 @@ struct TwoClusters : CandidateImage {
   std::vector<PlaneCluster> clusters{2};
   std::vector<int> cluster_of, plane_of;
 
-  TwoClusters(const DepthImage& depth, int border)
-      : CandidateImage(depth, adaptiveParameters(kWidth)) {
+  TwoClusters(const DepthImage& depth, int border) : CandidateImage(depth, adaptiveParameters(kWidth)) {
     for (const CrossingCandidate& candidate : grid.candidates) {
       cluster_of.push_back(candidate.u < border ? 0 : 1);
       PlaneCluster& cluster = clusters[static_cast<std::size_t>(cluster_of.back())];

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <cstddef>
 
-
 namespace line_plane_segmentation {
 namespace {
 
@@ -41,7 +40,8 @@ bool isNarrow(const std::vector<int>& candidates, const CandidateGrid& grid) {
   const int columns = last_column - first_column + 1, rows = last_row - first_row + 1;
   // A slanted strip spans many of both, but fills little of them.
   const bool is_strip = static_cast<int>(candidates.size()) < kMinScanlines * std::max(columns, rows);
-  return std::min(columns, rows) < kMinScanlines || is_strip || static_cast<int>(candidates.size()) < kFewCandidates;
+  return std::min(columns, rows) < kMinScanlines || is_strip ||
+         static_cast<int>(candidates.size()) < kFewCandidates;
 }
 
 double allowDistortion(double bound, double fraction) {

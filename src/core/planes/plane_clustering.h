@@ -12,8 +12,8 @@ namespace line_plane_segmentation {
 struct PlaneCluster : FittedPixels {
   int candidates = 0;
   RegressionMoments means;  ///< of the candidates' mean points, see MergeTree::Node
-  bool is_plane = true;    ///< false for a curved or rough surface
-  bool is_narrow = false;  ///< too few candidates to constrain the tilt: fit the plane to all of its pixels
+  bool is_plane = true;     ///< false for a curved or rough surface
+  bool is_narrow = false;   ///< too few candidates to constrain the tilt: fit the plane to all of its pixels
 };
 
 /// Stage "extraction" of the default method, first half: which planes there are.

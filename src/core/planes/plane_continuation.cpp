@@ -96,7 +96,8 @@ void PlaneContinuation::find(const ViewRays& rays, const CandidateGrid& grid,
       if (cluster_at_[static_cast<std::size_t>(cell)] < 0) continue;
       for (int gap = 1; gap <= kMaxGap; ++gap) {
         if (column + gap < grid.columns) addContact(rays, grid, clusters, tolerance, cell, cell + gap);
-        if (row + gap < grid.rows) addContact(rays, grid, clusters, tolerance, cell, cell + gap * grid.columns);
+        if (row + gap < grid.rows)
+          addContact(rays, grid, clusters, tolerance, cell, cell + gap * grid.columns);
       }
     }
   }
@@ -114,7 +115,8 @@ void PlaneContinuation::find(const ViewRays& rays, const CandidateGrid& grid,
     int small = static_cast<int>(contact.clusters >> 16), large = static_cast<int>(contact.clusters & 0xFFFF);
     if (is_larger(small, large)) std::swap(small, large);
     if (!cluster(large).is_plane) continue;
-    if (contact.count < kMinContacts || 4 * contact.count * contact.count < cluster(small).candidates) continue;
+    if (contact.count < kMinContacts || 4 * contact.count * contact.count < cluster(small).candidates)
+      continue;
     if (contact.squared_gap > kMaxSquaredGap * contact.count) continue;
     const double turn = std::hypot(cluster(small).plane.a - cluster(large).plane.a,
                                    cluster(small).plane.b - cluster(large).plane.b);

@@ -11,11 +11,11 @@
 
 namespace line_plane_segmentation {
 
-/// Parts of a plane that come out as clusters of their own. Residual sensor distortion bends large planes, most
-/// of all in the corners of the image, so that a part there is another plane, or no plane at all.
+/// Parts of a plane that come out as clusters of their own. Residual sensor distortion bends large planes,
+/// most of all in the corners of the image, so that a part there is another plane, or no plane at all.
 ///
-/// A cluster continues a larger plane if both lie beside each other, agree in depth there, and turn by no more
-/// than distortion and the uncertainty of the smaller one's slope explain.
+/// A cluster continues a larger plane if both lie beside each other, agree in depth there, and turn by no
+/// more than distortion and the uncertainty of the smaller one's slope explain.
 class PlaneContinuation {
  public:
   /// @param cluster_of  index in `clusters` per candidate, -1 if none

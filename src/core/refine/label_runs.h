@@ -38,7 +38,8 @@ struct LabelRuns {
   /// All rows of a label image at once.
   void scan(const std::vector<std::uint16_t>& labels, int width, int height);
 
-  /// Replaces each label k + 1 by plane_of[k] + 1, and makes one run of neighbours that come to carry the same.
+  /// Replaces each label k + 1 by plane_of[k] + 1, and makes one run of neighbours that come to carry the
+  /// same.
   void relabel(const std::vector<int>& plane_of);
 
   /// Makes one run of neighbours in a row that have come to carry the same label.

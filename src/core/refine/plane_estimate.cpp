@@ -12,12 +12,12 @@ namespace {
 // Pixels of a narrow surface that count as independent.
 constexpr double kIndependentPixels = 8.0;
 
-// A candidate's pixels share their errors, and so do neighbouring candidates: so many count as one. In simulated
-// frames 95.5 % of the normalised errors are then within their 95 % bound.
+// A candidate's pixels share their errors, and so do neighbouring candidates: so many count as one. In
+// simulated frames 95.5 % of the normalised errors are then within their 95 % bound.
 constexpr double kSharedCandidates = 4.0;
 
-// The variance of few candidates is uncertain: it counts beside that of the pixels, which has the weight of so
-// many candidates.
+// The variance of few candidates is uncertain: it counts beside that of the pixels, which has the weight of
+// so many candidates.
 constexpr double kPriorCandidates = 4.0;
 
 // The weighted sum of squared errors about a plane.
@@ -64,14 +64,14 @@ PlaneEstimate estimatePlane(const PlaneCluster& cluster) {
 }
 
 PlaneEstimate estimateFromPixels(const PlaneFit& fit, const PointMoments& moments) {
-  // A point p of depth z = 1 / rho lies on the ray p rho. So 1 - (a, b, c) . p is the error of the inverse depth,
-  // relative to it: to minimise its squares is a regression along the rays, as the noise is.
+  // A point p of depth z = 1 / rho lies on the ray p rho. So 1 - (a, b, c) . p is the error of the inverse
+  // depth, relative to it: to minimise its squares is a regression along the rays, as the noise is.
   const Eigen::LDLT<Eigen::Matrix3d> solver(moments.outer);
   const Eigen::Vector3d coefficients = solver.solve(moments.sum);
   const double shared = std::max(1.0, moments.count / kIndependentPixels);
   const double squared_error = moments.count - coefficients.dot(moments.sum);
-  const bool is_solved = solver.info() == Eigen::Success && coefficients.allFinite() && squared_error >= 0.0 &&
-                         coefficients.squaredNorm() > 0.0;
+  const bool is_solved = solver.info() == Eigen::Success && coefficients.allFinite() &&
+                         squared_error >= 0.0 && coefficients.squaredNorm() > 0.0;
   if (!is_solved) return {fit.normal, fit.d, fit.covariance(moments, std::sqrt(shared * fit.mean_square))};
   const double variance = shared * squared_error / std::max(1.0, moments.count - 3.0);
   return describe(coefficients, variance * solver.solve(Eigen::Matrix3d::Identity()));
