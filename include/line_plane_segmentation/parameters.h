@@ -170,6 +170,9 @@ void visitParameters(ParametersType& p, Visitor&& visitor) {
   visitor("min_hole_pixels", p.outlines.min_hole_pixels, 0, 1000000);
 }
 
+/// Whether a parameter, by its public name, has an effect on a method.
+bool isUsed(const std::string& name, Method method);
+
 /// Brings every parameter within its bounds, a NaN to its default, points_per_segment to 1, 3 or 5,
 /// line_window from 1, which makes no line, to 2, and min_range below max_range.
 /// @return one line for each value that was changed, which names it; empty if none was

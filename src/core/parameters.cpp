@@ -2,6 +2,7 @@
 #include "line_plane_segmentation/parameters.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <locale>
 #include <sstream>
@@ -149,7 +150,6 @@ bool loadPreset(const std::string& name, Parameters& parameters) {
     parameters.clusters.max_waviness = 0.45;
     parameters.clusters.max_bend = 1000.0;
     parameters.extraction.plane_distance = 1e-4;
-    parameters.extraction.neighbor_distance = 0.005;
     parameters.extraction.distance_noise_factor = 4.0;
     parameters.extraction.min_plane_inliers = 120;
     parameters.clusters.min_patches = 4;
@@ -158,6 +158,20 @@ bool loadPreset(const std::string& name, Parameters& parameters) {
     return false;
   }
   return true;
+}
+
+bool isUsed(const std::string& name, Method method) {
+  static const std::array<const char*, 7> kOnlyPaper{
+      "line_fidelity",     "line_noise_factor", "points_per_segment", "normal_window",
+      "min_window_points", "max_curvature",     "neighbor_distance"};
+  static const std::array<const char*, 12> kOnlyAdaptive{
+      "noise_scale", "distance_noise_factor", "patch_noise_factor", "patch_distance", "patch_flatness",
+      "merge_cost",  "coplanar_cost",         "max_curvedness",     "max_waviness",   "max_bend",
+      "min_patches", "min_region_pixels"};
+  const auto isOneOf = [&name](const auto& names) {
+    return std::find(names.begin(), names.end(), name) != names.end();
+  };
+  return method == Method::kPaper ? !isOneOf(kOnlyAdaptive) : !isOneOf(kOnlyPaper);
 }
 
 std::string setParameter(const std::string& name, const std::string& value, Parameters& parameters) {

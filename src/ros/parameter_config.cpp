@@ -2,6 +2,7 @@
 #include "line_plane_segmentation/ros/parameter_config.h"
 
 #include <dynamic_reconfigure/config_tools.h>
+#include <ros/console.h>
 #include <ros/node_handle.h>
 
 #include <cmath>
@@ -104,6 +105,22 @@ void keepIfTooLong(const std::string& name, const std::string& current, std::str
   changes.push_back(name + " has more than " + std::to_string(kLongestFrameName) + " characters, it stays '" +
                     current + "'");
   frame = current;
+}
+
+// Names what was changed without an effect on the method.
+void warnOfUnused(const Parameters& current, const Parameters& parameters,
+                  std::vector<std::string>& changes) {
+  if (parameters.method != current.method) return;  // a preset, say, sets the others, too
+  ConfigMessage message;
+  visitParameters(current,
+                  [&](const char* name, const auto& value, auto, auto) { append(message, name, value); });
+  visitParameters(parameters, [&](const char* name, const auto& value, auto, auto) {
+    auto before = value;
+    read(message, name, before);
+    if (before == value || isUsed(name, parameters.method)) return;
+    changes.push_back(std::string(name) + " has no effect on the method " +
+                      (parameters.method == Method::kPaper ? "paper" : "adaptive"));
+  });
 }
 
 bool isFallback(const std::string& text) { return text == kNoTransform || text == kLatestTransform; }
@@ -216,6 +233,7 @@ NodeletParameters reconfigured(const NodeletParameters& current, PlaneSegmenterC
     cutSlash(name, frame, changes);
   });
   keepIfUnknown(current.location.frames.tf_fallback, parameters.location.frames.tf_fallback, changes);
+  warnOfUnused(current.method, parameters.method, changes);
   applyPreset(current, parameters, changes);
   const std::vector<std::string> fixed = sanitize(parameters.method);
   changes.insert(changes.end(), fixed.begin(), fixed.end());
@@ -235,6 +253,9 @@ void checkParameterServer(const ros::NodeHandle& private_nh) {
              [&](const char* name, std::string&) { problems += problemWithText(private_nh, name); });
   if (!isFallback(private_nh.param<std::string>("tf_fallback", kNoTransform))) {
     problems += "~tf_fallback must be none or latest; ";
+  }
+  if (private_nh.hasParam("fine_spacing")) {
+    ROS_WARN("~fine_spacing has no effect any more: line segments end at the borders of narrow surfaces");
   }
   problems += problemWithText(private_nh, "preset");
   const std::string preset = private_nh.param<std::string>("preset", kPresets[0]);

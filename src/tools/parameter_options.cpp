@@ -33,6 +33,11 @@ Parameters parametersOf(const po::variables_map& given, const OtherParameters& s
     const std::string problem = setParameter(name, value, parameters);
     if (!problem.empty()) throw BadInput(problem);
   }
+  for (const std::string& setting : given["set"].as<std::vector<std::string>>()) {
+    const std::string name = setting.substr(0, setting.find('='));
+    const char* method = parameters.method == Method::kPaper ? "paper" : "adaptive";
+    if (!isUsed(name, parameters.method)) throw BadInput(name + " has no effect on the method " + method);
+  }
   const std::vector<std::string> changes = sanitize(parameters);
   if (!changes.empty()) throw BadInput("these settings do not go together: " + changes.front());
   return parameters;

@@ -46,7 +46,7 @@ def vector_instructions(library):
 def main(folder, library):
     counts = vector_instructions(library)
     hot = missing = 0
-    for source in sorted(pathlib.Path(folder).glob("*.cpp")):
+    for source in sorted(pathlib.Path(folder).rglob("*.cpp")):
         for name, relatives in hot_functions(source.read_text(encoding="utf-8")):
             hot += 1
             places = [place for place in [name] + sorted(relatives) if counts.get(place)]
