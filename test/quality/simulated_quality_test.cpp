@@ -159,7 +159,9 @@ void expectInRooms(const QualityFigures& floors, double max_curved,
   EXPECT_LE(curved, max_curved);
 }
 
-TEST_F(SimulatedQuality, ofSeenRooms) { expectInRooms({0.71, 0.72, 0.80, 0.915, 0.955}, 0.08, seen().frames); }
+TEST_F(SimulatedQuality, ofSeenRooms) {
+  expectInRooms({0.71, 0.72, 0.80, 0.915, 0.955}, 0.08, seen().frames);
+}
 
 TEST_F(SimulatedQuality, ofUnseenRoomsThatDecide) {
   expectInRooms({0.705, 0.715, 0.825, 0.935, 0.935}, 0.10, framesOf(kDecidingRooms));

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The status in /diagnostics, when input is missing and in normal operation.
 #include <gtest/gtest.h>
+
 #include <line_plane_segmentation/PlaneArray.h>
 
+#include <algorithm>
 #include <string>
 
 #include "test_camera.h"
@@ -85,13 +87,18 @@ TEST(Log, isNotFilledByRefusedSettings) {
   const std::string refused = "tf_fallback = 'sometimes' was refused";
   const LogLines log;
   spinFor(5.1);
+  const ros::WallTime begin = ros::WallTime::now();
   for (int i = 0; i < 50; ++i) reconfigure(request);
+  // Ten lines in each span of five seconds, and a slow machine takes several for so many requests.
+  const int spans = 1 + static_cast<int>((ros::WallTime::now() - begin).toSec() / 5.0);
   spinFor(0.5);
-  EXPECT_EQ(10, log.warnings(refused));
+  const int printed = log.warnings(refused);
+  EXPECT_GE(printed, 10);
+  EXPECT_LE(printed, std::min(10 * spans, 49));
   spinFor(5.1);
   reconfigure(request);
-  EXPECT_TRUE(waitUntil([&] { return log.warnings("40 more settings were refused or changed") == 1; }));
-  EXPECT_EQ(11, log.warnings(refused));
+  EXPECT_TRUE(waitUntil([&] { return log.warnings("more settings were refused or changed") >= 1; }));
+  EXPECT_EQ(printed + 1, log.warnings(refused));
 }
 
 }  // namespace
