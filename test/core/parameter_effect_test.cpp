@@ -103,8 +103,8 @@ TEST_P(EachParameter, HasAnEffectOnTheMethodsThatUseIt) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Methods, EachParameter, testing::Values(Method::kAdaptive, Method::kPaper),
-                         [](const auto& info) {
-                           return info.param == Method::kPaper ? "Paper" : "Adaptive";
+                         [](const auto& each) {
+                           return each.param == Method::kPaper ? "Paper" : "Adaptive";
                          });
 
 }  // namespace

@@ -20,8 +20,9 @@ constexpr double kNever = std::numeric_limits<double>::max();
 // variance. Its basis: variance ratio test (F test) with the threshold of an effect, not of significance,
 // since sensor distortion makes any deviation significant over enough candidates.
 constexpr double kTwoPlanes = 2.0;
-constexpr int kMinCompared = 8;          // candidates of either cluster: a plane has three parameters
-constexpr double kVarianceFloor = 0.05;  // [tolerance²] deviations below it do not count
+constexpr std::size_t kEnoughPoints = 128;  // of a quadric: more change its variance hardly
+constexpr int kMinCompared = 8;             // candidates of either cluster: a plane has three parameters
+constexpr double kVarianceFloor = 0.05;     // [tolerance²] deviations below it do not count
 
 double squaredError(const MergeTree::Node& node) {
   InverseDepthPlane plane;
@@ -107,8 +108,9 @@ const std::vector<int>& MergeTree::candidatesOf(int i) {
 
 double MergeTree::quadricVarianceOfListed(const InverseDepthPlane& plane) {
   QuadricFit quadric;
-  for (const int i : listed_) {
-    const RegressionMoments& m = node(i).moments;
+  const std::size_t stride = 1 + listed_.size() / kEnoughPoints;
+  for (std::size_t k = 0; k < listed_.size(); k += stride) {
+    const RegressionMoments& m = node(listed_[k]).moments;
     quadric.add(m.x / m.weight, m.y / m.weight, deviationOf(m, plane));
   }
   return quadric.points() > 6 ? quadric.variance() : 0.0;
