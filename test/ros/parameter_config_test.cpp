@@ -187,12 +187,27 @@ TEST(Reconfiguring, tellsWhatItPutInOrder) {
   config.max_range = 2.0;
   std::vector<std::string> changes;
   const Parameters parameters = reconfigured(NodeletParameters{}, config, changes).method;
-  EXPECT_EQ(2U, changes.size());
+  ASSERT_EQ(3U, changes.size());
+  EXPECT_EQ("points_per_segment has no effect on the method adaptive", changes.front());
   EXPECT_LT(parameters.scanlines.min_range, parameters.scanlines.max_range);
   EXPECT_EQ(parameters.scanlines.min_range, config.min_range);
   EXPECT_EQ(parameters.scanlines.max_range, config.max_range);
   EXPECT_EQ(parameters.candidates.points_per_segment, config.points_per_segment);
   EXPECT_EQ(1, config.points_per_segment % 2);
+}
+
+TEST(Reconfiguring, warnsOnlyOfWhatTheMethodDoesNotUse) {
+  PlaneSegmenterConfig config = PlaneSegmenterConfig::__getDefault__();
+  config.merge_cost = 5.0;
+  std::vector<std::string> changes;
+  NodeletParameters paper;
+  paper.method.method = Method::kPaper;
+  reconfigured(NodeletParameters{}, config, changes);
+  EXPECT_TRUE(changes.empty());
+  config.method = static_cast<int>(Method::kPaper);
+  reconfigured(paper, config, changes);
+  ASSERT_EQ(1U, changes.size());
+  EXPECT_EQ("merge_cost has no effect on the method paper", changes.front());
 }
 
 TEST(Reconfiguring, cutsSlashesOffFrames) {
