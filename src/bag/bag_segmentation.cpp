@@ -17,6 +17,7 @@
 #include "plane_locator.h"
 #include "planes_csv.h"
 #include "progress.h"
+#include "robot_messages.h"
 #include "run_tool.h"
 #include "topic_advice.h"
 
@@ -185,7 +186,13 @@ class BagSegmentation {
     if (task_.labels) out_->write(name + "/labels", frame.time, *labelsImage(result));
     if (task_.cloud) out_->write(name + "/cloud", frame.time, *coloredCloud(result));
     if (task_.overlay) out_->write(name + "/overlay", frame.time, *overlayImage(result));
-    if (task_.markers) out_->write(name + "/markers", frame.time, *planeMarkers(result));
+    if (task_.markers) {
+      robot_.setParameters(RobotParameters{}, task_.parameters.noise, task_.location.tracking);
+      robot_.start(result);
+      const visualization_msgs::MarkerArray::Ptr markers = planeMarkers(result);
+      robot_.addObjectMarkers(*markers);
+      out_->write(name + "/markers", frame.time, *markers);
+    }
     if (task_.scanlines) {
       const FrameSegmenter& segmenter = slot.segmenter;
       out_->write(name + "/scanlines", frame.time,
@@ -247,6 +254,7 @@ class BagSegmentation {
   BagTransforms transforms_;
   ros::Time read_until_;
   std::map<const DepthTopic*, PlaneLocator> locators_;
+  RobotMessages robot_{"segment_bag"};  // for the objects among the markers
   bool gravity_found_ = false;
   bool fixed_found_ = false;
   std::size_t done_ = 0;
