@@ -22,7 +22,7 @@ def hot_functions(source):
     """Each hot function of a file with those that its loops may be found in instead: that it calls, or that call it."""
     bodies = {name.split("::")[-1]: body for name, body in FUNCTION.findall(source)}
     for name in re.findall(r"LPS_MULTIVERSION\b[^;{(]*?\b(\w+)\s*\(", source):
-        called = set(re.findall(r"\b(\w+)(?:<\w+>)?\(", bodies.get(name, "")))
+        called = set(re.findall(r"\b(\w+)(?:<[\w, ]+>)?\(", bodies.get(name, "")))
         callers = {other for other, body in bodies.items() if re.search(r"\b%s\(" % name, body)}
         yield name, (called & set(bodies)) | callers
 

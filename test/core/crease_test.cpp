@@ -20,15 +20,7 @@ struct Found : ClusteredImage {
   Creases creases;
 
   explicit Found(const DepthImage& depth) : ClusteredImage(depth, adaptiveParameters(kWidth)) {
-    creases.find(rays, grid, clusters, clusterAtCrossings());
-  }
-
-  /// Index of a cluster per crossing of the grid, -1 if none.
-  std::vector<int> clusterAtCrossings() const {
-    std::vector<int> cluster_at(grid.candidate_at.size(), -1);
-    for (std::size_t i = 0; i < grid.candidates.size(); ++i)
-      cluster_at[static_cast<std::size_t>(grid.candidates[i].cell)] = cluster_of[i];
-    return cluster_at;
+    creases.find(rays, grid, clusters, cluster_at);
   }
 };
 
@@ -83,7 +75,7 @@ CreaseType foldAmong(std::size_t count) {
   clusters[0] = corner.clusters[0];
   clusters[1] = corner.clusters[1];
   Creases creases;
-  creases.find(corner.rays, corner.grid, clusters, corner.clusterAtCrossings());
+  creases.find(corner.rays, corner.grid, clusters, corner.cluster_at);
   return creases.between(0, 1);
 }
 

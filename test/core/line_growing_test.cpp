@@ -77,7 +77,7 @@ TEST(WindowSummer, SumsThePixelsOfEachWindow) {
           for (int i = w * set->window; i < std::min(length, (w + 1) * set->window); ++i) {
             const float z = is_row ? depth.at(i, at) : depth.at(at, i);
             if (!(z > 0.0F)) continue;
-            const double rho = 1.0 / static_cast<double>(z);
+            const double rho = static_cast<double>(1.0F / z);
             n += 1.0;
             t_rho += rho * static_cast<double>((is_row ? rays.x : rays.y)[static_cast<std::size_t>(i)]);
             rho_rho += rho * rho;

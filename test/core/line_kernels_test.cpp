@@ -37,7 +37,7 @@ TEST(LineKernels, SumWindowsOfValidPixels) {
       for (int k = 0; k < pixels; ++k) {
         const std::size_t at = static_cast<std::size_t>(k * windows + i);
         if (!(z[at] > 0.0F)) continue;
-        const double ray = static_cast<double>(t[at]), rho = 1.0 / static_cast<double>(z[at]);
+        const double ray = static_cast<double>(t[at]), rho = static_cast<double>(1.0F / z[at]);
         n += 1.0;
         tt += ray * ray;
         t_rho += ray * rho;

@@ -101,7 +101,7 @@ TEST(MergeTree, MergesNothingAtLimitZero) {
 
 TEST(MergeTree, CostIsTheAddedErrorPerPixelOfTheSmaller) {
   Tree tree(noisy(render(surfaceAt(2.0), kCamera, kWidth, kHeight), 1.0), 0.0);
-  MergeTree::Node both;
+  FittedPixels both;
   ASSERT_TRUE(tree.combine(0, 1, both));
   const MergeTree::Node &a = tree.node(0), &b = tree.node(1);
   EXPECT_NEAR(
@@ -124,13 +124,13 @@ bool areTwoPlanes(const DepthImage& depth) {
     const int u = image.grid.candidates[static_cast<std::size_t>(i)].u;
     if (std::abs(u - 160) < 12) continue;
     int& half = halves[u < 160 ? 0 : 1];
-    MergeTree::Node both;
+    FittedPixels both;
     if (half >= 0) {
       EXPECT_TRUE(tree.combine(half, i, both));
     }
     half = half < 0 ? i : tree.merge(half, i, both);
   }
-  MergeTree::Node both;
+  FittedPixels both;
   EXPECT_TRUE(tree.combine(halves[0], halves[1], both));
   return tree.isTwoPlanes(halves[0], halves[1], both);
 }

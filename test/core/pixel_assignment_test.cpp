@@ -28,16 +28,13 @@ struct Assignment : ClusteredImage {
 
   Assignment(const DepthImage& image, const Parameters& p, PixelAssigner& assigner)
       : ClusteredImage(image, p), depth(image), parameters(p) {
-    std::vector<int> cluster_at(grid.candidate_at.size(), -1);
-    for (std::size_t i = 0; i < grid.candidates.size(); ++i)
-      cluster_at[static_cast<std::size_t>(grid.candidates[i].cell)] = cluster_of[i];
     creases.find(rays, grid, clusters, cluster_at);
     assign(assigner);
   }
 
   void assign(PixelAssigner& assigner) {
     LabelRuns runs;
-    assigner.assign(depth, rays, grid, clusters, cluster_of, parameters, runs);
+    assigner.assign(depth, rays, grid, clusters, cluster_at, parameters, runs);
     labels.clear();
     for (const LabelRun& run : runs.runs) {
       EXPECT_EQ(depth.index(run.first, run.row), labels.size()) << "the runs cover the image";
@@ -72,7 +69,7 @@ struct Assignment : ClusteredImage {
     const int column = std::min(u / grid.spacing, grid.columns - 1),
               row = std::min(v / grid.spacing, grid.rows - 1);
     for (std::size_t i = 0; i < grid.candidates.size(); ++i) {
-      if (cluster_of[i] != static_cast<int>(cluster)) continue;
+      if (clusterOf(i) != static_cast<int>(cluster)) continue;
       const int cell = grid.candidates[i].cell;
       if (std::abs(cell % grid.columns - column) <= 1 && std::abs(cell / grid.columns - row) <= 1)
         return true;
@@ -256,7 +253,7 @@ TEST(PixelAssigner, OfNoPlanesOrNoDepthGivesNoLabels) {
   Assignment no_planes(render(surfaceAt(1.5), kinectCamera(60, 40), 60, 40), adaptiveParameters(60),
                        assigner);
   no_planes.clusters.clear();
-  std::fill(no_planes.cluster_of.begin(), no_planes.cluster_of.end(), -1);
+  std::fill(no_planes.cluster_at.begin(), no_planes.cluster_at.end(), -1);
   no_planes.assign(assigner);
   EXPECT_EQ(std::count(no_planes.labels.begin(), no_planes.labels.end(), 0), 60 * 40);
   const Assignment no_grid(render(surfaceAt(1.5), kinectCamera(2, 2), 2, 2), adaptiveParameters(320),

@@ -99,7 +99,7 @@ TEST(PlaneClusterer, DropsClustersOfTooFewCandidates) {
   parameters.clusters.min_patches = 100000;  // more than there can be
   const Clusters found(depth, parameters);
   EXPECT_TRUE(found.clusters.empty());
-  for (const int cluster : found.cluster_of) EXPECT_EQ(cluster, -1);
+  for (const int cluster : found.cluster_at) EXPECT_EQ(cluster, -1);
 }
 
 TEST(PlaneClusterer, FindsAPlaneNarrowerThanTwoScanlineSpacings) {
@@ -110,7 +110,7 @@ TEST(PlaneClusterer, FindsAPlaneNarrowerThanTwoScanlineSpacings) {
   int in_strip = 0;
   for (std::size_t i = 0; i < found.grid.candidates.size(); ++i) {
     const CrossingCandidate& candidate = found.grid.candidates[i];
-    const int k = found.cluster_of[i];
+    const int k = found.clusterOf(i);
     if (k < 0 || candidate.u < 150 || candidate.u >= 168) continue;
     EXPECT_NEAR(1.0 / found.clusters[static_cast<std::size_t>(k)].plane.inverseDistance(), strip.d, 0.02);
     ++in_strip;
@@ -197,13 +197,14 @@ TEST(PlaneClusterer, KeepsABentWallWhole) {
 TEST(PlaneClusterer, OfNothingIsNothing) {
   const Clusters found(blankDepth(kWidth, kHeight));
   EXPECT_TRUE(found.clusters.empty());
-  EXPECT_TRUE(found.cluster_of.empty());
+  EXPECT_FALSE(found.cluster_at.empty());
+  for (const int cluster : found.cluster_at) EXPECT_EQ(cluster, -1);
   std::vector<PlaneCluster> clusters(3);
-  std::vector<int> cluster_of(3);
+  std::vector<int> cluster_at(3);
   PlaneClusterer().cluster(blankDepth(0, 0), ViewRays{}, CandidateGrid{}, adaptiveParameters(kWidth),
-                           clusters, cluster_of);
+                           clusters, cluster_at);
   EXPECT_TRUE(clusters.empty());
-  EXPECT_TRUE(cluster_of.empty());
+  EXPECT_TRUE(cluster_at.empty());
 }
 
 }  // namespace

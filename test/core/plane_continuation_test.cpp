@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <cstddef>
+#include <cstdlib>
 #include <vector>
 
 #include "support/clustered_image.h"
@@ -21,12 +22,14 @@ const CameraIntrinsics kCamera = kinectCamera(kWidth, kHeight);
 /// An image whose candidates left of a column are one cluster, those right of it another.
 struct TwoClusters : CandidateImage {
   std::vector<PlaneCluster> clusters{2};
-  std::vector<int> cluster_of, plane_of;
+  std::vector<int> cluster_at, plane_of;
 
   TwoClusters(const DepthImage& depth, int border) : CandidateImage(depth, adaptiveParameters(kWidth)) {
+    cluster_at.assign(grid.candidate_at.size(), -1);
     for (const CrossingCandidate& candidate : grid.candidates) {
-      cluster_of.push_back(candidate.u < border ? 0 : 1);
-      PlaneCluster& cluster = clusters[static_cast<std::size_t>(cluster_of.back())];
+      const std::size_t index = candidate.u < border ? 0 : 1;
+      cluster_at[static_cast<std::size_t>(candidate.cell)] = static_cast<int>(index);
+      PlaneCluster& cluster = clusters[index];
       cluster.moments += candidate.moments;
       ++cluster.candidates;
     }
@@ -35,7 +38,7 @@ struct TwoClusters : CandidateImage {
   }
 
   const std::vector<int>& find() {
-    PlaneContinuation().find(rays, grid, clusters, cluster_of, adaptiveParameters(kWidth), plane_of);
+    PlaneContinuation().find(rays, grid, clusters, cluster_at, adaptiveParameters(kWidth), plane_of);
     return plane_of;
   }
 };
@@ -87,10 +90,9 @@ TEST(PlaneContinuation, WhatIsNoPlaneContinuesALargerOneOrNone) {
 TEST(PlaneContinuation, NothingIsSaidOfClustersApart) {
   TwoClusters image = clustersOf(surfaceAt(2.0), surfaceAt(2.0), kWidth / 2);
   // A gap of more crossings than distortion makes.
-  for (std::size_t i = 0; i < image.grid.candidates.size(); ++i) {
-    const int u = image.grid.candidates[i].u;
-    if (u > kWidth / 2 - 3 * image.grid.spacing && u < kWidth / 2 + 3 * image.grid.spacing)
-      image.cluster_of[i] = -1;
+  for (const CrossingCandidate& candidate : image.grid.candidates) {
+    if (std::abs(candidate.u - kWidth / 2) < 3 * image.grid.spacing)
+      image.cluster_at[static_cast<std::size_t>(candidate.cell)] = -1;
   }
   EXPECT_EQ(image.find(), (Planes{0, 1}));
 }

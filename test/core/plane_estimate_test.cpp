@@ -111,7 +111,7 @@ TEST(EstimateFromPixels, FitsANarrowStripAlongTheRaysAndTrustsFewPixels) {
     EXPECT_NEAR(estimate.d, surface.d, 0.05);
   }
   EXPECT_LT(error, 0.5 * error_of_axes) << "the principal axes follow the noise";
-  EXPECT_NEAR(predicted / error / (kPixels / 8.0), 1.0, 0.25) << "pixels count as eight independent ones";
+  EXPECT_NEAR(predicted / error / (kPixels / 12.0), 1.0, 0.25) << "pixels count as twelve independent ones";
 }
 
 TEST(EstimateFromPixels, TakesTheFitOfPixelsOnOneRay) {

@@ -28,14 +28,19 @@ struct CandidateImage {
 /// The same up to the clusters that are planes.
 struct ClusteredImage : CandidateImage {
   std::vector<PlaneCluster> clusters;
-  std::vector<int> cluster_of;  ///< index in `clusters` per candidate, -1 if none
+  std::vector<int> cluster_at;  ///< index in `clusters` per crossing, -1 if none
 
   ClusteredImage(const DepthImage& depth, const Parameters& parameters);
+
+  /// The cluster of a candidate, -1 if none.
+  int clusterOf(std::size_t candidate) const {
+    return cluster_at[static_cast<std::size_t>(grid.candidates[candidate].cell)];
+  }
 
   /// The cluster of the candidate of the tile that a pixel lies in, -1 if none.
   int at(int u, int v) const {
     const int candidate = candidateAt(u, v);
-    return candidate < 0 ? -1 : cluster_of[static_cast<std::size_t>(candidate)];
+    return candidate < 0 ? -1 : clusterOf(static_cast<std::size_t>(candidate));
   }
 };
 

@@ -15,7 +15,7 @@ constexpr double kStraight = 2.0;
 
 // Bound of the added squared error of two neighbours, in tolerances squared. The first term is the noise's:
 // the 99 % quantile of chi-squared with two degrees of freedom (9.2) times the number of pixels that share
-// their error (kCorrelatedPixels of plane_estimate.cpp), which makes 110 sigma_z² or 43 tolerances²; halved,
+// their error (kSharedErrors), which makes 110 sigma_z² or 43 tolerances²; halved,
 // since a missing join costs nothing where a crossing scanline connects both pieces. The second is the
 // sensor's distortion: one tolerance per pixel of the smaller piece.
 constexpr double kNoiseError = 20.0, kDistortionError = 1.0;

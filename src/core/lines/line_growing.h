@@ -17,7 +17,7 @@ constexpr double kMinLinePixels = 2.0;
 /// alike windows (Algorithm 1). Here the windows lie side by side, and segments grow by merging neighbours
 /// along the scanline, those first whose merging adds the least squared error. Two neighbours are one line if
 /// the added error is explained by noise or by the sensor's low-frequency distortion. A segment continues
-/// after a hole of up to three windows.
+/// after a hole of up to two windows.
 class LineGrower {
  public:
   /// Fills `segments` and `segment_of` of a set whose windows are summed.

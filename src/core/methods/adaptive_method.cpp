@@ -30,9 +30,9 @@ void AdaptiveMethod::detectCandidates(const Frame& frame) {
 }
 
 void AdaptiveMethod::extractPlanes(const Frame& frame, LabeledPlanes& planes) {
-  clusterer_.cluster(frame.depth, frame.rays, grid_, frame.parameters, clusters_, cluster_of_);
-  assigner_.assign(frame.depth, frame.rays, grid_, clusters_, cluster_of_, frame.parameters, planes.runs);
-  continuation_.find(frame.rays, grid_, clusters_, cluster_of_, frame.parameters, plane_of_);
+  clusterer_.cluster(frame.depth, frame.rays, grid_, frame.parameters, clusters_, cluster_at_);
+  assigner_.assign(frame.depth, frame.rays, grid_, clusters_, cluster_at_, frame.parameters, planes.runs);
+  continuation_.find(frame.rays, grid_, clusters_, cluster_at_, frame.parameters, plane_of_);
   planes.runs.relabel(plane_of_);
 }
 

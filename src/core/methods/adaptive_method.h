@@ -33,7 +33,7 @@ class AdaptiveMethod final : public SegmentationMethod {
   CrossingDetector crossing_detector_;
   PlaneClusterer clusterer_;
   std::vector<PlaneCluster> clusters_;
-  std::vector<int> cluster_of_;  // index in clusters_ per candidate, -1 if none
+  std::vector<int> cluster_at_;  // index in clusters_ per crossing, -1 if none
   PixelAssigner assigner_;
   PlaneContinuation continuation_;
   std::vector<int> plane_of_;  // index in clusters_ per cluster, -1 for no plane

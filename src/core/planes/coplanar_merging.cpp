@@ -40,7 +40,7 @@ void CoplanarMerger::listPairs(const MergeTree& tree, const std::vector<int>& pl
   pairs_.clear();
   for (std::size_t i = 0; i < planes.size(); ++i) {
     for (std::size_t j = i + 1; j < planes.size(); ++j) {
-      MergeTree::Node both;
+      FittedPixels both;
       if (!tree.combine(planes[i], planes[j], both)) continue;
       const double cost = tree.costOf(planes[i], planes[j], both);
       if (cost < limit) pairs_.push_back({cost, static_cast<int>(i), static_cast<int>(j)});
@@ -101,7 +101,7 @@ void CoplanarMerger::merge(const DepthImage& depth, const ViewRays& rays, const 
     if (a == b) continue;
     int& first = compared[static_cast<std::size_t>(a)];
     const int second = compared[static_cast<std::size_t>(b)];
-    MergeTree::Node both;
+    FittedPixels both;
     if (!tree.combine(first, second, both) || !(tree.costOf(first, second, both) < limit)) continue;
     const int from = nearest(grid, a, candidates_[static_cast<std::size_t>(b)].front());
     const int to = nearest(grid, b, from);

@@ -36,6 +36,10 @@ struct CandidateGrid {
   };
   std::vector<Link> links;
 
+  /// The candidate at a crossing that has one.
+  const CrossingCandidate& candidateAt(int cell) const {
+    return candidates[static_cast<std::size_t>(candidate_at[static_cast<std::size_t>(cell)])];
+  }
   int crossings() const { return columns * rows; }
   double fractionPerCandidate() const { return 1.0 / std::max(1, crossings()); }
   int indexOf(int column, int row) const { return row * columns + column; }
@@ -49,9 +53,6 @@ class CrossingDetector {
   /// @param rows, columns  with grown segments
   void detect(const ViewRays& rays, const ScanlineSet& rows, const ScanlineSet& columns,
               const Parameters& parameters, CandidateGrid& grid);
-
- private:
-  std::vector<LineSums> row_windows_;  // around each crossing of one row of the grid
 };
 
 }  // namespace line_plane_segmentation

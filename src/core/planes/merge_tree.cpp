@@ -42,6 +42,7 @@ void MergeTree::start(const std::vector<CrossingCandidate>& candidates) {
   nodes_.clear();
   nodes_.reserve(2 * candidates.size());
   parent_.clear();
+  next_.assign(candidates.size(), -1);
   for (const CrossingCandidate& candidate : candidates) {
     Node node;
     static_cast<FittedPixels&>(node) = candidate;
@@ -51,31 +52,36 @@ void MergeTree::start(const std::vector<CrossingCandidate>& candidates) {
     node.means = {g * x * x,   g * x * y,   g * y * y, g * x,         g * y, g,
                   g * x * rho, g * y * rho, g * rho,   g * rho * rho, 1.0};
     node.candidates = 1;
+    node.first = node.last = static_cast<int>(nodes_.size());
     parent_.push_back(static_cast<int>(nodes_.size()));
     nodes_.push_back(node);
   }
 }
 
-bool MergeTree::combine(int a, int b, Node& both) const {
+bool MergeTree::combine(int a, int b, FittedPixels& both) const {
   both.moments = node(a).moments + node(b).moments;
   return both.moments.fit(both.plane, both.squared_error);
 }
 
-double MergeTree::costOf(int a, int b, const Node& both) const {
+double MergeTree::costOf(int a, int b, const FittedPixels& both) const {
   const Node &first = node(a), &second = node(b);
   return (both.squared_error - first.squared_error - second.squared_error) /
          std::min(first.moments.pixels, second.moments.pixels);
 }
 
-int MergeTree::merge(int a, int b, const Node& both) {
+int MergeTree::merge(int a, int b, const FittedPixels& both) {
   const int merged = size();
-  nodes_.push_back(both);
-  Node& node = nodes_.back();
-  const Node &first = nodes_[static_cast<std::size_t>(a)], &second = nodes_[static_cast<std::size_t>(b)];
+  const Node &first = node(a), &second = node(b);
+  Node node;
+  static_cast<FittedPixels&>(node) = both;
   node.means = first.means + second.means;
   node.candidates = first.candidates + second.candidates;
   node.left = a;
   node.right = b;
+  node.first = first.first;
+  node.last = second.last;
+  next_[static_cast<std::size_t>(first.last)] = second.first;
+  nodes_.push_back(node);
   parent_.push_back(merged);
   parent_[static_cast<std::size_t>(a)] = parent_[static_cast<std::size_t>(b)] = merged;
   return merged;
@@ -87,17 +93,10 @@ double MergeTree::variance(int i) const {
 }
 
 void MergeTree::appendCandidates(int i) {
-  stack_.assign(1, i);
-  while (!stack_.empty()) {
-    const int top = stack_.back();
-    stack_.pop_back();
-    if (top < leaves_) {
-      listed_.push_back(top);
-    } else {
-      stack_.push_back(node(top).right);
-      stack_.push_back(node(top).left);
-    }
-  }
+  const int last = node(i).last;
+  int candidate = node(i).first;
+  listed_.push_back(candidate);
+  while (candidate != last) listed_.push_back(candidate = next_[static_cast<std::size_t>(candidate)]);
 }
 
 const std::vector<int>& MergeTree::candidatesOf(int i) {
@@ -121,7 +120,7 @@ double MergeTree::quadricVariance(int i) {
   return quadricVarianceOfListed(node(i).plane);
 }
 
-bool MergeTree::isTwoPlanes(int a, int b, const Node& both) {
+bool MergeTree::isTwoPlanes(int a, int b, const FittedPixels& both) {
   const Node &first = node(a), &second = node(b);
   const int fewer = std::min(first.candidates, second.candidates);
   const int degrees_of_freedom = first.candidates + second.candidates - 6;
@@ -146,7 +145,7 @@ bool MergeTree::compare(Pair& pair, double limit, double fraction) {
   if (a == b) return false;
   const bool is_known = a == pair.root_a && b == pair.root_b;
   if (is_known && !(pair.cost < fraction)) return true;
-  Node both;
+  FittedPixels both;
   const bool is_plane = combine(a, b, both);
   pair = {pair.a, pair.b, a, b, is_plane ? costOf(a, b, both) / limit : kNever};
   if (pair.cost < fraction) {

@@ -22,6 +22,7 @@ class MergeTree {
     /// shows deviations that the noise of single pixels hides.
     RegressionMoments means;
     int left = -1, right = -1;  ///< the clusters merged into this one, -1 for leaves
+    int first = -1, last = -1;  ///< ends of its candidates' list
     int candidates = 0;
   };
 
@@ -51,17 +52,17 @@ class MergeTree {
 
   /// The cluster that merging two roots would make.
   /// @return false if its pixels are degenerate
-  bool combine(int a, int b, Node& both) const;
+  bool combine(int a, int b, FittedPixels& both) const;
 
   /// The cost of merging two roots into `both` [tolerance²].
-  double costOf(int a, int b, const Node& both) const;
+  double costOf(int a, int b, const FittedPixels& both) const;
 
   /// Appends a merged cluster and returns its index.
-  int merge(int a, int b, const Node& both);
+  int merge(int a, int b, const FittedPixels& both);
 
   /// Whether two planes explain the candidates of two clusters much better than one plane or one quadric
   /// surface. False if either has fewer than 8 candidates.
-  bool isTwoPlanes(int a, int b, const Node& both);
+  bool isTwoPlanes(int a, int b, const FittedPixels& both);
 
   /// Variance of the candidates' mean points about their common plane [tolerance²]; 0 if there are fewer
   /// than 4, or they are degenerate.
@@ -70,7 +71,7 @@ class MergeTree {
   /// The same about their common quadric surface; 0 if there are fewer than 7.
   double quadricVariance(int i);
 
-  /// The candidates of a cluster, in order of the tree.
+  /// The candidates of a cluster, those of its left part first.
   const std::vector<int>& candidatesOf(int i);
 
  private:
@@ -89,7 +90,8 @@ class MergeTree {
   std::vector<int> parent_;
   int leaves_ = 0;
   std::vector<Pair> pairs_;
-  std::vector<int> listed_, stack_;
+  std::vector<int> next_;  // candidate after each one; those of every node follow each other
+  std::vector<int> listed_;
 };
 
 }  // namespace line_plane_segmentation

@@ -24,7 +24,7 @@ constexpr int kMinCurved = 8;  // candidates: a quadric has six parameters
 constexpr int kMinScanlines = 3;
 
 // So few candidates leave most of a plane's pixels out.
-constexpr int kFewCandidates = 20;
+constexpr int kFewCandidates = 28;
 
 // Whether candidates span few rows or few columns of the grid.
 bool isNarrow(const std::vector<int>& candidates, const CandidateGrid& grid) {
@@ -106,7 +106,7 @@ void PlaneClusterer::addPlanes(int root, double fraction_per_candidate, int min_
 
 void PlaneClusterer::cluster(const DepthImage& depth, const ViewRays& rays, const CandidateGrid& grid,
                              const Parameters& parameters, std::vector<PlaneCluster>& clusters,
-                             std::vector<int>& cluster_of) {
+                             std::vector<int>& cluster_at) {
   tree_.start(grid.candidates);
   tree_.mergeLinked(grid.links, parameters.clusters.merge_cost,
                     {1.0 / 64, 1.0 / 16, 1.0 / 8, 1.0 / 4, 1.0 / 2, 1.0, 1.0});
@@ -124,17 +124,19 @@ void PlaneClusterer::cluster(const DepthImage& depth, const ViewRays& rays, cons
   coplanar_merger_.merge(depth, rays, grid, parameters, tree_, planes_);
 
   clusters.clear();
-  cluster_of.assign(grid.candidates.size(), -1);
-  for (const int plane : planes_) addCluster(plane, true, grid, clusters, cluster_of);
-  for (const int other : others_) addCluster(other, false, grid, clusters, cluster_of);
+  cluster_at.assign(grid.candidate_at.size(), -1);
+  for (const int plane : planes_) addCluster(plane, true, grid, clusters, cluster_at);
+  for (const int other : others_) addCluster(other, false, grid, clusters, cluster_at);
 }
 
 void PlaneClusterer::addCluster(int i, bool is_plane, const CandidateGrid& grid,
-                                std::vector<PlaneCluster>& clusters, std::vector<int>& cluster_of) {
+                                std::vector<PlaneCluster>& clusters, std::vector<int>& cluster_at) {
   if (clusters.size() == kMaxClusters) return;
   const std::vector<int>& candidates = tree_.candidatesOf(i);
-  for (const int candidate : candidates)
-    cluster_of[static_cast<std::size_t>(candidate)] = static_cast<int>(clusters.size());
+  for (const int candidate : candidates) {
+    const int cell = grid.candidates[static_cast<std::size_t>(candidate)].cell;
+    cluster_at[static_cast<std::size_t>(cell)] = static_cast<int>(clusters.size());
+  }
   const MergeTree::Node& node = tree_.node(i);
   clusters.push_back({node, node.candidates, node.means, is_plane, is_plane && isNarrow(candidates, grid)});
 }

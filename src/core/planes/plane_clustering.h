@@ -25,10 +25,10 @@ struct PlaneCluster : FittedPixels {
 class PlaneClusterer {
  public:
   /// @param clusters    receives the planes, then the surfaces that are none
-  /// @param cluster_of  receives the index in `clusters` per candidate, -1 if none
+  /// @param cluster_at  receives the index in `clusters` per crossing of the grid, -1 if none
   void cluster(const DepthImage& depth, const ViewRays& rays, const CandidateGrid& grid,
                const Parameters& parameters, std::vector<PlaneCluster>& clusters,
-               std::vector<int>& cluster_of);
+               std::vector<int>& cluster_at);
 
  private:
   bool isPlane(int node, double fraction, const ClusterParameters& parameters);
@@ -38,7 +38,7 @@ class PlaneClusterer {
                  const ClusterParameters& parameters);
 
   void addCluster(int node, bool is_plane, const CandidateGrid& grid, std::vector<PlaneCluster>& clusters,
-                  std::vector<int>& cluster_of);
+                  std::vector<int>& cluster_at);
 
   MergeTree tree_;
   CoplanarMerger coplanar_merger_;

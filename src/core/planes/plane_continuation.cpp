@@ -9,7 +9,8 @@
 namespace line_plane_segmentation {
 namespace {
 
-// Largest number of crossings from one cluster to the other: distortion widens the gap between them.
+// Largest number of crossings from one cluster to the other: between them, distortion leaves crossings in
+// neither.
 constexpr int kMaxGap = 4;
 
 // [tolerance²] mean square by which the planes may differ where the clusters meet: two tolerances.
@@ -21,9 +22,6 @@ constexpr double kMaxTurn = 0.2;
 
 // A slope is uncertain by so many standard deviations (95 %).
 constexpr double kSlopeDeviations = 2.0;
-
-// Contacts of a border: a few, and as many as half of the side of a square of the smaller cluster's size.
-constexpr int kMinContacts = 3;
 
 // Standard deviation of a fitted plane's slope [1/m per unit of the tangent of the view angle].
 double slopeDeviation(const FittedPixels& fitted) {
@@ -41,15 +39,13 @@ std::uint32_t keyOf(int a, int b) {
 }  // namespace
 
 void PlaneContinuation::addContact(const ViewRays& rays, const CandidateGrid& grid,
-                                   const std::vector<PlaneCluster>& clusters, const DepthTolerance& tolerance,
+                                   const std::vector<PlaneCluster>& clusters,
+                                   const std::vector<int>& cluster_at, const DepthTolerance& tolerance,
                                    int cell, int other_cell) {
-  const auto cluster_at = [this](int i) { return cluster_at_[static_cast<std::size_t>(i)]; };
-  const auto candidate_at = [&grid](int i) -> const CrossingCandidate& {
-    return grid.candidates[static_cast<std::size_t>(grid.candidate_at[static_cast<std::size_t>(i)])];
-  };
-  const int a = cluster_at(cell), b = cluster_at(other_cell);
-  if (a == b || a < 0 || b < 0) return;
-  const CrossingCandidate &from = candidate_at(cell), &to = candidate_at(other_cell);
+  const int a = cluster_at[static_cast<std::size_t>(cell)],
+            b = cluster_at[static_cast<std::size_t>(other_cell)];
+  if (a == b) return;
+  const CrossingCandidate &from = grid.candidateAt(cell), &to = grid.candidateAt(other_cell);
   const auto x_of = [&rays](int u) { return static_cast<double>(rays.x[static_cast<std::size_t>(u)]); };
   const auto y_of = [&rays](int v) { return static_cast<double>(rays.y[static_cast<std::size_t>(v)]); };
   const double x = 0.5 * (x_of(from.u) + x_of(to.u)), y = 0.5 * (y_of(from.v) + y_of(to.v));
@@ -59,6 +55,14 @@ void PlaneContinuation::addContact(const ViewRays& rays, const CandidateGrid& gr
   const double gap = (rho - other_rho) / tolerance.at(mean, plane.inverseDistance());
   const std::uint32_t order = static_cast<std::uint32_t>(contacts_.size());
   contacts_.push_back({keyOf(a, b), order, 1, gap * gap, mean});
+}
+
+// Whether the planes agree where they touch, and turn by no more than distortion and noise explain.
+bool PlaneContinuation::isContinued(const PlaneCluster& small, const PlaneCluster& large,
+                                    const Contact& contact) {
+  if (contact.squared_gap > kMaxSquaredGap * contact.count) return false;
+  const double turn = std::hypot(small.plane.a - large.plane.a, small.plane.b - large.plane.b);
+  return turn <= kMaxTurn * contact.rho / contact.count + kSlopeDeviations * slopeDeviation(small);
 }
 
 // Makes one contact of all of the same two clusters.
@@ -81,28 +85,35 @@ void PlaneContinuation::sumContacts() {
   contacts_.resize(kept);
 }
 
-void PlaneContinuation::find(const ViewRays& rays, const CandidateGrid& grid,
-                             const std::vector<PlaneCluster>& clusters, const std::vector<int>& cluster_of,
-                             const Parameters& parameters, std::vector<int>& plane_of) {
-  cluster_at_.assign(grid.candidate_at.size(), -1);
-  for (std::size_t i = 0; i < grid.candidates.size(); ++i)
-    cluster_at_[static_cast<std::size_t>(grid.candidates[i].cell)] = cluster_of[i];
-  const DepthTolerance tolerance{parameters.noise, parameters.patches.patch_noise_factor,
-                                 parameters.patches.patch_distance};
+void PlaneContinuation::listContacts(const ViewRays& rays, const CandidateGrid& grid,
+                                     const std::vector<PlaneCluster>& clusters,
+                                     const std::vector<int>& cluster_at, const DepthTolerance& tolerance) {
   contacts_.clear();
+  // From each crossing to the next one with a cluster, to the right and down.
+  const auto look = [&](int cell, int step, int count) {
+    for (int gap = 1; gap <= std::min(count, kMaxGap); ++gap) {
+      const int other = cell + gap * step;
+      if (cluster_at[static_cast<std::size_t>(other)] < 0) continue;
+      addContact(rays, grid, clusters, cluster_at, tolerance, cell, other);
+      return;
+    }
+  };
   for (int row = 0; row < grid.rows; ++row) {
     for (int column = 0; column < grid.columns; ++column) {
       const int cell = grid.indexOf(column, row);
-      if (cluster_at_[static_cast<std::size_t>(cell)] < 0) continue;
-      for (int gap = 1; gap <= kMaxGap; ++gap) {
-        if (column + gap < grid.columns) addContact(rays, grid, clusters, tolerance, cell, cell + gap);
-        if (row + gap < grid.rows)
-          addContact(rays, grid, clusters, tolerance, cell, cell + gap * grid.columns);
-      }
+      if (cluster_at[static_cast<std::size_t>(cell)] < 0) continue;
+      look(cell, 1, grid.columns - 1 - column);
+      look(cell, grid.columns, grid.rows - 1 - row);
     }
   }
   sumContacts();
+}
 
+void PlaneContinuation::find(const ViewRays& rays, const CandidateGrid& grid,
+                             const std::vector<PlaneCluster>& clusters, const std::vector<int>& cluster_at,
+                             const Parameters& parameters, std::vector<int>& plane_of) {
+  listContacts(rays, grid, clusters, cluster_at,
+               {parameters.noise, parameters.patches.patch_noise_factor, parameters.patches.patch_distance});
   const auto cluster = [&clusters](int i) -> const PlaneCluster& {
     return clusters[static_cast<std::size_t>(i)];
   };
@@ -114,23 +125,17 @@ void PlaneContinuation::find(const ViewRays& rays, const CandidateGrid& grid,
   for (const Contact& contact : contacts_) {
     int small = static_cast<int>(contact.clusters >> 16), large = static_cast<int>(contact.clusters & 0xFFFF);
     if (is_larger(small, large)) std::swap(small, large);
-    if (!cluster(large).is_plane) continue;
-    if (contact.count < kMinContacts || 4 * contact.count * contact.count < cluster(small).candidates)
-      continue;
-    if (contact.squared_gap > kMaxSquaredGap * contact.count) continue;
-    const double turn = std::hypot(cluster(small).plane.a - cluster(large).plane.a,
-                                   cluster(small).plane.b - cluster(large).plane.b);
-    const double rho = contact.rho / contact.count;
-    if (turn > kMaxTurn * rho + kSlopeDeviations * slopeDeviation(cluster(small))) continue;
+    if (!cluster(large).is_plane || !isContinued(cluster(small), cluster(large), contact)) continue;
     int& continued = plane_of[static_cast<std::size_t>(small)];
     if (continued < 0 || is_larger(large, continued)) continued = large;
   }
-  // Then the plane at the end of each chain, from the largest cluster down.
-  for (std::size_t i = 0; i < clusters.size(); ++i) {
-    int end = static_cast<int>(i);
-    while (plane_of[static_cast<std::size_t>(end)] >= 0 && plane_of[static_cast<std::size_t>(end)] != end)
-      end = plane_of[static_cast<std::size_t>(end)];
-    if (cluster(end).is_plane) plane_of[i] = end;
+  // Then the plane at the end of each chain.
+  for (int i = 0; i < static_cast<int>(clusters.size()); ++i) {
+    int end = i;
+    for (int next = plane_of[static_cast<std::size_t>(end)]; next >= 0 && next != end;
+         next = plane_of[static_cast<std::size_t>(end)])
+      end = next;
+    if (cluster(end).is_plane) plane_of[static_cast<std::size_t>(i)] = end;
   }
 }
 

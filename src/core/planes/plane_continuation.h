@@ -18,11 +18,11 @@ namespace line_plane_segmentation {
 /// more than distortion and the uncertainty of the smaller one's slope explain.
 class PlaneContinuation {
  public:
-  /// @param cluster_of  index in `clusters` per candidate, -1 if none
+  /// @param cluster_at  index in `clusters` per crossing of the grid, -1 if none
   /// @param plane_of    receives, per cluster, the cluster of the plane that it belongs to: itself for a
   ///                    plane that continues no other, -1 for what is in no plane
   void find(const ViewRays& rays, const CandidateGrid& grid, const std::vector<PlaneCluster>& clusters,
-            const std::vector<int>& cluster_of, const Parameters& parameters, std::vector<int>& plane_of);
+            const std::vector<int>& cluster_at, const Parameters& parameters, std::vector<int>& plane_of);
 
  private:
   /// Candidates of two clusters beside each other, in one row or column of the grid.
@@ -35,10 +35,14 @@ class PlaneContinuation {
   };
 
   void addContact(const ViewRays& rays, const CandidateGrid& grid, const std::vector<PlaneCluster>& clusters,
-                  const DepthTolerance& tolerance, int cell, int other_cell);
+                  const std::vector<int>& cluster_at, const DepthTolerance& tolerance, int cell,
+                  int other_cell);
+  void listContacts(const ViewRays& rays, const CandidateGrid& grid,
+                    const std::vector<PlaneCluster>& clusters, const std::vector<int>& cluster_at,
+                    const DepthTolerance& tolerance);
   void sumContacts();
+  static bool isContinued(const PlaneCluster& small, const PlaneCluster& large, const Contact& contact);
 
-  std::vector<int> cluster_at_;  // per crossing, -1 if none
   std::vector<Contact> contacts_;
 };
 

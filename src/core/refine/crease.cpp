@@ -26,12 +26,10 @@ void Creases::find(const ViewRays& rays, const CandidateGrid& grid, const std::v
   votes_.clear();
   if (count_ < 2 || count_ > kMaxClusters) return;
   votes_.assign(count_ * count_, 0);
-  const auto rayOf = [&grid](const std::vector<float>& axis, int scanline) {
-    return static_cast<double>(axis[static_cast<std::size_t>(grid.spacing / 2 + scanline * grid.spacing)]);
-  };
   const auto isNearer = [&](int cell, int cluster, int other) {
-    const double x = rayOf(rays.x, cell % grid.columns);
-    const double y = rayOf(rays.y, cell / grid.columns);
+    const CrossingCandidate& candidate = grid.candidateAt(cell);
+    const double x = static_cast<double>(rays.x[static_cast<std::size_t>(candidate.u)]);
+    const double y = static_cast<double>(rays.y[static_cast<std::size_t>(candidate.v)]);
     return clusters[static_cast<std::size_t>(cluster)].plane.at(x, y) >
            clusters[static_cast<std::size_t>(other)].plane.at(x, y);
   };

@@ -20,9 +20,10 @@ constexpr double kCreaseReach = 0.5;
 }  // namespace
 
 // A candidate stands for its own tile of the grid and for the eight around it.
-void PixelAssigner::findSpans(const CandidateGrid& grid, int row, int width) {
+void PixelAssigner::findSpans(const CandidateGrid& grid, const std::vector<int>& cluster_at, int row,
+                              int width) {
   spans_.clear();
-  const int* const here = cluster_at_.data() + grid.indexOf(0, row);
+  const int* const here = cluster_at.data() + grid.indexOf(0, row);
   const std::array<const int*, 3> rows = {row > 0 ? here - grid.columns : here, here,
                                           row + 1 < grid.rows ? here + grid.columns : here};
   for (int c = 0; c < grid.columns; ++c) {
@@ -123,7 +124,7 @@ bool PixelAssigner::isLikeNeighbors(const float* z, const LabelRun& before, cons
 }
 
 void PixelAssigner::assign(const DepthImage& depth, const ViewRays& rays, const CandidateGrid& grid,
-                           const std::vector<PlaneCluster>& clusters, const std::vector<int>& cluster_of,
+                           const std::vector<PlaneCluster>& clusters, const std::vector<int>& cluster_at,
                            const Parameters& parameters, LabelRuns& image) {
   const std::size_t width = static_cast<std::size_t>(depth.width);
   depth_over_noise_.resize(width);
@@ -134,16 +135,13 @@ void PixelAssigner::assign(const DepthImage& depth, const ViewRays& rays, const 
   const RowNoise noise{static_cast<float>(parameters.noise.floor) * factor,
                        static_cast<float>(parameters.noise.growth) * factor,
                        static_cast<float>(parameters.noise.nearest)};
-  cluster_at_.assign(grid.candidate_at.size(), -1);
-  for (std::size_t i = 0; i < grid.candidates.size(); ++i)
-    cluster_at_[static_cast<std::size_t>(grid.candidates[i].cell)] = cluster_of[i];
   inv_orthogonal_tolerance_.clear();
   for (const PlaneCluster& cluster : clusters) {
     const double tolerance = parameters.extraction.plane_distance * cluster.plane.inverseDistance();
     inv_orthogonal_tolerance_.push_back(static_cast<float>(1.0 / tolerance));
   }
 
-  creases_.find(rays, grid, clusters, cluster_at_);
+  creases_.find(rays, grid, clusters, cluster_at);
   const DepthTolerance crease_tolerance{parameters.noise,
                                         kCreaseReach * parameters.extraction.distance_noise_factor};
 
@@ -154,7 +152,7 @@ void PixelAssigner::assign(const DepthImage& depth, const ViewRays& rays, const 
     const int tile_row = std::min(v / grid.spacing, grid.rows - 1);
     const double y = static_cast<double>(rays.y[static_cast<std::size_t>(v)]);
     if (tile_row != row) {
-      findSpans(grid, tile_row, depth.width);
+      findSpans(grid, cluster_at, tile_row, depth.width);
       intersectPlanes(clusters, rays, y, crease_tolerance);
     }
     row = tile_row;

@@ -18,9 +18,10 @@ namespace line_plane_segmentation {
 /// pixel is assigned by the side of their line of intersection that it lies on.
 class PixelAssigner {
  public:
+  /// @param cluster_at  index in `clusters` per crossing of the grid, -1 if none
   /// @param image  receives k + 1 for cluster k, 0 for no plane, kNoDepthLabel for invalid depth
   void assign(const DepthImage& depth, const ViewRays& rays, const CandidateGrid& grid,
-              const std::vector<PlaneCluster>& clusters, const std::vector<int>& cluster_of,
+              const std::vector<PlaneCluster>& clusters, const std::vector<int>& cluster_at,
               const Parameters& parameters, LabelRuns& image);
 
  private:
@@ -29,7 +30,7 @@ class PixelAssigner {
     int cluster, first, last;
   };
 
-  void findSpans(const CandidateGrid& grid, int row, int width);
+  void findSpans(const CandidateGrid& grid, const std::vector<int>& cluster_at, int row, int width);
   void assignSpans(const std::vector<PlaneCluster>& clusters, const float* z, const ViewRays& rays, double y);
 
   /// The line of intersection of two planes, in columns first to last - 1: in the row with the ray y it is at
@@ -50,7 +51,6 @@ class PixelAssigner {
   std::vector<Span> spans_;  // of the row of tiles that the image row lies in
   std::vector<PlaneIntersection> intersections_;
   Creases creases_;
-  std::vector<int> cluster_at_;                  // index of a cluster per crossing, -1 if none
   std::vector<int> open_span_;                   // index of a span per cluster, -1 if none
   std::vector<float> inv_orthogonal_tolerance_;  // [-] per cluster, as in RowOfPlane
   // One row of the image.
