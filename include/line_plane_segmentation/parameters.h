@@ -12,6 +12,9 @@ enum class Method : int {
   kAdaptive = 1,  ///< distances that follow the sensor's noise, and the refinement of its result
 };
 
+/// The method's public name: "paper" or "adaptive".
+const char* nameOf(Method method);
+
 /// Standard deviation of a depth z along the optical axis, Eq. 5 (after Nguyen et al. 2012):
 /// sigma_z = floor + growth * (z - nearest)^2.
 struct NoiseParameters {
@@ -170,8 +173,8 @@ void visitParameters(ParametersType& p, Visitor&& visitor) {
   visitor("min_hole_pixels", p.outlines.min_hole_pixels, 0, 1000000);
 }
 
-/// Whether a parameter, by its public name, has an effect on a method.
-bool isUsed(const std::string& name, Method method);
+/// Says that a parameter, by its public name, has no effect on a method. Empty if it has one.
+std::string noEffect(const std::string& name, Method method);
 
 /// Brings every parameter within its bounds, a NaN to its default, points_per_segment to 1, 3 or 5,
 /// line_window from 1, which makes no line, to 2, and min_range below max_range.

@@ -65,9 +65,11 @@ std::string toText(T value) {
   return stream.str();
 }
 
-std::string toText(Method method) { return method == Method::kPaper ? "paper" : "adaptive"; }
+std::string toText(Method method) { return nameOf(method); }
 
 }  // namespace
+
+const char* nameOf(Method method) { return method == Method::kPaper ? "paper" : "adaptive"; }
 
 std::vector<std::string> sanitize(Parameters& parameters) {
   std::vector<std::string> changes;
@@ -160,7 +162,7 @@ bool loadPreset(const std::string& name, Parameters& parameters) {
   return true;
 }
 
-bool isUsed(const std::string& name, Method method) {
+std::string noEffect(const std::string& name, Method method) {
   static const std::array<const char*, 7> kOnlyPaper{
       "line_fidelity",     "line_noise_factor", "points_per_segment", "normal_window",
       "min_window_points", "max_curvature",     "neighbor_distance"};
@@ -171,7 +173,8 @@ bool isUsed(const std::string& name, Method method) {
   const auto isOneOf = [&name](const auto& names) {
     return std::find(names.begin(), names.end(), name) != names.end();
   };
-  return method == Method::kPaper ? !isOneOf(kOnlyAdaptive) : !isOneOf(kOnlyPaper);
+  const bool is_unused = method == Method::kPaper ? isOneOf(kOnlyAdaptive) : isOneOf(kOnlyPaper);
+  return is_unused ? name + " has no effect on the method " + nameOf(method) : "";
 }
 
 std::string setParameter(const std::string& name, const std::string& value, Parameters& parameters) {

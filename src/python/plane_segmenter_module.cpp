@@ -44,7 +44,7 @@ class PythonSegmenter {
     py::dict values;
     visitParameters(segmenter_.parameters(), [&values](const char* name, const auto& value, auto, auto) {
       if constexpr (std::is_same_v<std::decay_t<decltype(value)>, Method>) {
-        values[name] = value == Method::kPaper ? "paper" : "adaptive";
+        values[name] = nameOf(value);
       } else {
         values[name] = value;
       }
@@ -104,6 +104,11 @@ class PythonSegmenter {
       if (text == "False") text = "false";
       const std::string problem = setParameter(py::str(name), text, parameters);
       if (!problem.empty()) throw py::value_error(problem);
+    }
+    for (const auto& [name, value] : given) {
+      const std::string no_effect = noEffect(py::str(name), parameters.method);
+      if (!no_effect.empty() && PyErr_WarnEx(PyExc_UserWarning, no_effect.c_str(), 1) != 0)
+        throw py::error_already_set();
     }
     const std::vector<std::string> changes = sanitize(parameters);
     if (!changes.empty()) throw py::value_error("these do not go together: " + changes.front());

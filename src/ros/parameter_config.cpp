@@ -108,18 +108,13 @@ void keepIfTooLong(const std::string& name, const std::string& current, std::str
 }
 
 // Names what was changed without an effect on the method.
-void warnOfUnused(const Parameters& current, const Parameters& parameters,
+void warnOfUnused(const ConfigMessage& current, const Parameters& parameters,
                   std::vector<std::string>& changes) {
-  if (parameters.method != current.method) return;  // a preset, say, sets the others, too
-  ConfigMessage message;
-  visitParameters(current,
-                  [&](const char* name, const auto& value, auto, auto) { append(message, name, value); });
   visitParameters(parameters, [&](const char* name, const auto& value, auto, auto) {
     auto before = value;
-    read(message, name, before);
-    if (before == value || isUsed(name, parameters.method)) return;
-    changes.push_back(std::string(name) + " has no effect on the method " +
-                      (parameters.method == Method::kPaper ? "paper" : "adaptive"));
+    read(current, name, before);
+    const std::string no_effect = noEffect(name, parameters.method);
+    if (!(before == value) && !no_effect.empty()) changes.push_back(no_effect);
   });
 }
 
@@ -233,7 +228,8 @@ NodeletParameters reconfigured(const NodeletParameters& current, PlaneSegmenterC
     cutSlash(name, frame, changes);
   });
   keepIfUnknown(current.location.frames.tf_fallback, parameters.location.frames.tf_fallback, changes);
-  warnOfUnused(current.method, parameters.method, changes);
+  if (parameters.method.method == current.method.method)
+    warnOfUnused(current_message, parameters.method, changes);
   applyPreset(current, parameters, changes);
   const std::vector<std::string> fixed = sanitize(parameters.method);
   changes.insert(changes.end(), fixed.begin(), fixed.end());
@@ -254,9 +250,8 @@ void checkParameterServer(const ros::NodeHandle& private_nh) {
   if (!isFallback(private_nh.param<std::string>("tf_fallback", kNoTransform))) {
     problems += "~tf_fallback must be none or latest; ";
   }
-  if (private_nh.hasParam("fine_spacing")) {
-    ROS_WARN("~fine_spacing has no effect any more: line segments end at the borders of narrow surfaces");
-  }
+  if (private_nh.hasParam("fine_spacing"))
+    ROS_WARN("%s", setParameter("fine_spacing", "0", parameters.method).c_str());
   problems += problemWithText(private_nh, "preset");
   const std::string preset = private_nh.param<std::string>("preset", kPresets[0]);
   if (preset != kNoPreset && !loadPreset(preset, parameters.method)) {

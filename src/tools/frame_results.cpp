@@ -50,7 +50,7 @@ json settingsOf(const DepthFrame& frame, const Parameters& parameters) {
   json values;
   visitParameters(parameters, [&values](const char* name, auto value, auto, auto) {
     if constexpr (std::is_same_v<decltype(value), Method>) {
-      values[name] = value == Method::kPaper ? "paper" : "adaptive";
+      values[name] = nameOf(value);
     } else {
       values[name] = value;
     }

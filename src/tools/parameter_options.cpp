@@ -35,8 +35,8 @@ Parameters parametersOf(const po::variables_map& given, const OtherParameters& s
   }
   for (const std::string& setting : given["set"].as<std::vector<std::string>>()) {
     const std::string name = setting.substr(0, setting.find('='));
-    const char* method = parameters.method == Method::kPaper ? "paper" : "adaptive";
-    if (!isUsed(name, parameters.method)) throw BadInput(name + " has no effect on the method " + method);
+    const std::string no_effect = noEffect(name, parameters.method);
+    if (!no_effect.empty()) throw BadInput(no_effect);
   }
   const std::vector<std::string> changes = sanitize(parameters);
   if (!changes.empty()) throw BadInput("these settings do not go together: " + changes.front());

@@ -156,6 +156,8 @@ class PlaneSegmenterTest(unittest.TestCase):
             PlaneSegmenter("lidar")
         with self.assertRaisesRegex(ValueError, "no parameter is named 'speed'"):
             PlaneSegmenter(speed=9)
+        with self.assertWarnsRegex(UserWarning, "line_fidelity has no effect on the method adaptive"):
+            PlaneSegmenter(line_fidelity=2.0)
 
     def test_threads_may_share_one(self):
         segmenter = PlaneSegmenter()

@@ -129,6 +129,8 @@ TEST_F(SegmentDepth, RefusesWrongOptions) {
   expectRefused(segment({}), "no image");
   expectRefused(segment({image, "--preset", "lidar"}), "no preset is named 'lidar'");
   expectRefused(segment({image, "--set", "speed=9"}), "speed");
+  expectRefused(segment({image, "--set", "line_fidelity=2"}),
+                "line_fidelity has no effect on the method adaptive");
   expectRefused(segment({image, "--set", "plane_distance"}), "PARAMETER=VALUE");
   expectRefused(segment({image, "--set", "plane_distance=thin"}), "thin");
   expectRefused(segment({image, "--set", "plane_distance=9"}), "plane_distance");
