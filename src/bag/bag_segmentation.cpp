@@ -38,6 +38,7 @@ class BagSegmentation {
                  (needsTransforms() && BagTransforms::wants(topic, type));
         })) {
     topics_.setBagTopics(in_->topics());
+    robot_.setParameters(RobotParameters{}, task_.parameters.noise, task_.location.tracking);
   }
 
   void run() {
@@ -187,7 +188,6 @@ class BagSegmentation {
     if (task_.cloud) out_->write(name + "/cloud", frame.time, *coloredCloud(result));
     if (task_.overlay) out_->write(name + "/overlay", frame.time, *overlayImage(result));
     if (task_.markers) {
-      robot_.setParameters(RobotParameters{}, task_.parameters.noise, task_.location.tracking);
       robot_.start(result);
       const visualization_msgs::MarkerArray::Ptr markers = planeMarkers(result);
       robot_.addObjectMarkers(*markers);

@@ -36,13 +36,15 @@ struct ObjectDetector::Scratch {
   std::vector<Eigen::Vector3f> points;  // in the optical frame
   std::vector<SupportPlane> supports;
   std::vector<std::uint8_t> visited;  // pixels whose component of a plane is decided
-  std::vector<int> stack, component;
+  std::vector<int> component;
   std::vector<cv::Point2f> footprint;
   std::vector<float> heights;
 
   std::int16_t supportOf(const Eigen::Vector3f& point, std::uint16_t label,
                          const ObjectParameters& parameters, float sigma) const;
   void classify(const DepthScene& scene, const ObjectParameters& parameters, const NoiseParameters& noise);
+  template <typename Take>
+  void flood(int seed, int width, int height, Take&& take);
   void collectPlane(int seed, const Segmentation& segmentation);
   void dropBackground(const Segmentation& segmentation);
   double collect(int seed, int width, int height, const ObjectParameters& parameters,
@@ -97,29 +99,33 @@ void ObjectDetector::Scratch::classify(const DepthScene& scene, const ObjectPara
   }
 }
 
-// Moves the pixels that have the label of `seed` and are connected with it to component.
-void ObjectDetector::Scratch::collectPlane(int seed, const Segmentation& segmentation) {
-  const int width = segmentation.width, height = segmentation.height;
-  const std::uint16_t label = segmentation.labels[static_cast<std::size_t>(seed)];
+// Collects the pixels that are connected with `seed` in component.
+// @param take  called as take(pixel, from) for each neighbour of a collected pixel, and first for the seed
+//              itself; returns whether it is collected, which it may be only once
+template <typename Take>
+void ObjectDetector::Scratch::flood(int seed, int width, int height, Take&& take) {
   component.clear();
-  const auto visit = [&](bool is_inside, int pixel) {
-    if (!is_inside) return;
-    const auto i = static_cast<std::size_t>(pixel);
-    if (visited[i] != 0 || segmentation.labels[i] != label) return;
-    visited[i] = 1;
-    component.push_back(pixel);
-    stack.push_back(pixel);
+  const auto visit = [&](int pixel, int from) {
+    if (take(static_cast<std::size_t>(pixel), static_cast<std::size_t>(from))) component.push_back(pixel);
   };
-  visit(true, seed);
-  while (!stack.empty()) {
-    const int pixel = stack.back();
-    stack.pop_back();
-    const int u = pixel % width, v = pixel / width;
-    visit(u > 0, pixel - 1);
-    visit(u + 1 < width, pixel + 1);
-    visit(v > 0, pixel - width);
-    visit(v + 1 < height, pixel + width);
+  visit(seed, seed);
+  for (std::size_t k = 0; k < component.size(); ++k) {
+    const int pixel = component[k], u = pixel % width, v = pixel / width;
+    if (u > 0) visit(pixel - 1, pixel);
+    if (u + 1 < width) visit(pixel + 1, pixel);
+    if (v > 0) visit(pixel - width, pixel);
+    if (v + 1 < height) visit(pixel + width, pixel);
   }
+}
+
+// Collects the pixels that have the label of `seed` and are connected with it.
+void ObjectDetector::Scratch::collectPlane(int seed, const Segmentation& segmentation) {
+  const std::uint16_t label = segmentation.labels[static_cast<std::size_t>(seed)];
+  flood(seed, segmentation.width, segmentation.height, [&](std::size_t pixel, std::size_t) {
+    if (visited[pixel] != 0 || segmentation.labels[pixel] != label) return false;
+    visited[pixel] = 1;
+    return true;
+  });
 }
 
 // Walls and furniture behind a table reach into the space above it. The top of an object may be part of the
@@ -138,37 +144,23 @@ void ObjectDetector::Scratch::dropBackground(const Segmentation& segmentation) {
   }
 }
 
-// Moves the pixels that are connected with `seed` from support_of to component.
+// Collects the pixels on the support of `seed` that are connected with it, and takes them out of support_of.
 // Returns the fraction of them that is above the height limit.
 double ObjectDetector::Scratch::collect(int seed, int width, int height, const ObjectParameters& parameters,
                                         const NoiseParameters& noise) {
   const int support = std::abs(support_of[static_cast<std::size_t>(seed)]);
   int tall = 0;
-  component.clear();
-  const auto take = [&](int pixel) {
-    std::int16_t& code = support_of[static_cast<std::size_t>(pixel)];
-    if (code < 0) ++tall;
-    code = 0;
-    component.push_back(pixel);
-    stack.push_back(pixel);
-  };
-  take(seed);
-  while (!stack.empty()) {
-    const int pixel = stack.back();
-    stack.pop_back();
-    const float z = points[static_cast<std::size_t>(pixel)].z();
+  flood(seed, width, height, [&](std::size_t pixel, std::size_t from) {
+    std::int16_t& code = support_of[pixel];
+    if (std::abs(code) != support) return false;
+    const float z = points[from].z();
     const float gap = std::max(static_cast<float>(parameters.object_gap),
                                kNoiseOfGap * static_cast<float>(noise.sigma(static_cast<double>(z))));
-    const auto visit = [&](bool is_inside, int next) {
-      if (!is_inside || std::abs(support_of[static_cast<std::size_t>(next)]) != support) return;
-      if (std::abs(points[static_cast<std::size_t>(next)].z() - z) <= gap) take(next);
-    };
-    const int u = pixel % width, v = pixel / width;
-    visit(u > 0, pixel - 1);
-    visit(u + 1 < width, pixel + 1);
-    visit(v > 0, pixel - width);
-    visit(v + 1 < height, pixel + width);
-  }
+    if (std::abs(points[pixel].z() - z) > gap) return false;
+    tall += code < 0 ? 1 : 0;
+    code = 0;
+    return true;
+  });
   return static_cast<double>(tall) / static_cast<double>(component.size());
 }
 
@@ -222,10 +214,12 @@ const std::vector<DetectedObject>& ObjectDetector::detect(const DepthScene& scen
   Scratch& s = *scratch_;
   const Segmentation& segmentation = scene.segmentation;
   objects_.clear();
+  supports_.clear();
   s.supports.clear();
   for (const std::size_t index : supports) {
     if (segmentation.planes[index].area < parameters.min_support_area) continue;
     if (s.supports.size() == kMaxSupports) break;
+    supports_.push_back(index);
     s.supports.push_back(supportPlane(segmentation, index, scene.camera));
   }
   if (s.supports.empty()) return objects_;

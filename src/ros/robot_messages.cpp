@@ -3,8 +3,6 @@
 
 #include <ros/console.h>
 
-#include <algorithm>
-
 namespace line_plane_segmentation {
 namespace {
 
@@ -30,14 +28,8 @@ sensor_msgs::PointCloud2::Ptr RobotMessages::cloudWithoutPlanes() const {
 
 const std::vector<DetectedObject>& RobotMessages::detected() {
   if (objects_ != nullptr) return *objects_;
-  const std::vector<SegmentedPlane>& planes = frame_->segmentation.planes;
-  supports_ = supportsOf(*frame_);
-  const auto isSmall = [&](std::size_t plane) {
-    return planes[plane].area < robot_.objects.min_support_area;
-  };
-  supports_.erase(std::remove_if(supports_.begin(), supports_.end(), isSmall), supports_.end());
   const DepthScene scene{frame_->depth, frame_->range, frame_->camera, frame_->segmentation};
-  objects_ = &detector_.detect(scene, supports_, robot_.objects, noise_);
+  objects_ = &detector_.detect(scene, supportsOf(*frame_), robot_.objects, noise_);
   return *objects_;
 }
 
@@ -48,7 +40,7 @@ SupportedObjectArray::Ptr RobotMessages::objects() {
                       name_.c_str());
   }
   const std::vector<DetectedObject>& objects = detected();
-  return objectsMessage(*frame_, objects, supports_);
+  return objectsMessage(*frame_, objects, detector_.supports());
 }
 
 void RobotMessages::addObjectMarkers(visualization_msgs::MarkerArray& markers) {

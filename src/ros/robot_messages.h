@@ -43,7 +43,6 @@ class RobotMessages {
   TrackingParameters tracking_;
   const SegmentedFrame* frame_ = nullptr;
   ObjectDetector detector_;
-  std::vector<std::size_t> supports_;
   const std::vector<DetectedObject>* objects_ = nullptr;  // of this frame, once they are detected
   TrackedPlanes tracked_planes_;
 };

@@ -70,9 +70,13 @@ class ObjectDetector {
   const std::vector<DetectedObject>& detect(const DepthScene& scene, const std::vector<std::size_t>& supports,
                                             const ObjectParameters& parameters, const NoiseParameters& noise);
 
+  /// The supports of the last call that were large enough, as indices in segmentation.planes.
+  const std::vector<std::size_t>& supports() const { return supports_; }
+
  private:
   struct Scratch;
   std::unique_ptr<Scratch> scratch_;
+  std::vector<std::size_t> supports_;
   std::vector<DetectedObject> objects_;
 };
 
