@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "conversions_of_planes.h"
 
-#include <algorithm>
+#include <Eigen/Core>
 #include <boost/make_shared.hpp>
-#include <cmath>
 #include <cstddef>
 
 #include "line_plane_segmentation/orientation.h"
@@ -84,7 +83,6 @@ geometry_msgs::PolygonStamped::Ptr polygon(const PlaneArray& planes, const Plane
 }
 
 visualization_msgs::MarkerArray::Ptr choiceMarkers(const PlaneArray& planes, const Plane* plane) {
-  constexpr double kLineWidth = 0.02;  // [m]
   visualization_msgs::MarkerArray::Ptr message = makeMarkerArray(planes.header);
   if (plane == nullptr) return message;
   Marker outline = makeMarker(planes.header, "outline", plane->id, Marker::LINE_STRIP);
@@ -95,17 +93,12 @@ visualization_msgs::MarkerArray::Ptr choiceMarkers(const PlaneArray& planes, con
     outline.points.push_back(outline.points.front());
     message->markers.push_back(outline);
   }
-  Marker normal = makeMarker(planes.header, "normal", plane->id, Marker::ARROW);
+  const geometry_msgs::Point& centroid = plane->centroid;
+  const auto& coef = plane->coefficients.coef;
+  Marker normal =
+      makeArrow(planes.header, "normal", plane->id, Eigen::Vector3d(centroid.x, centroid.y, centroid.z),
+                Eigen::Vector3d(coef[0], coef[1], coef[2]), arrowLength(static_cast<double>(plane->area)));
   normal.color = outline.color;
-  const double length = std::clamp(0.3 * std::sqrt(static_cast<double>(plane->area)), 0.05, 0.3);
-  geometry_msgs::Point tip = plane->centroid;
-  tip.x += length * plane->coefficients.coef[0];
-  tip.y += length * plane->coefficients.coef[1];
-  tip.z += length * plane->coefficients.coef[2];
-  normal.points = {plane->centroid, tip};
-  normal.scale.x = kLineWidth;
-  normal.scale.y = 2.5 * kLineWidth;
-  normal.scale.z = 0.25 * length;
   message->markers.push_back(normal);
   return message;
 }

@@ -4,9 +4,7 @@
 #include <ros/console.h>
 #include <ros/node_handle.h>
 
-#include <algorithm>
 #include <exception>
-#include <limits>
 #include <pluginlib/class_list_macros.hpp>
 #include <stdexcept>
 #include <string>
@@ -46,23 +44,6 @@ PlaneChoice choiceOf(const ros::NodeHandle& nh) {
   return choice;
 }
 
-// Takes the message with this stamp out of a queue, and all that came before it. Null if there is none.
-template <typename MessagePtr>
-MessagePtr take(std::deque<MessagePtr>& waiting, const ros::Time& stamp) {
-  const auto found = std::find_if(waiting.begin(), waiting.end(),
-                                  [&](const MessagePtr& message) { return message->header.stamp == stamp; });
-  if (found == waiting.end()) return nullptr;
-  const MessagePtr message = *found;
-  waiting.erase(waiting.begin(), found + 1);
-  return message;
-}
-
-template <typename MessagePtr>
-void keep(std::deque<MessagePtr>& waiting, const MessagePtr& message) {
-  waiting.push_back(message);
-  if (waiting.size() > kQueueSize) waiting.pop_front();
-}
-
 }  // namespace
 
 // Nothing may be thrown out of here: nodelet would go on using what it has deleted.
@@ -94,7 +75,18 @@ void PlaneConverterNodelet::start() {
   jsk_coefficients_ = nh.advertise<jsk_recognition_msgs::ModelCoefficientsArray>(
       "coefficients_array", kQueueSize, changed, changed);
 #endif
+  planes_.registerCallback(&PlaneConverterNodelet::convert, this);
+  pairs_.connectInput(planes_, labels_);
+  pairs_.registerCallback(&PlaneConverterNodelet::publishInliers, this);
   is_ready_ = true;
+}
+
+template <typename Message>
+void PlaneConverterNodelet::subscribe(message_filters::Subscriber<Message>& subscriber, const char* topic,
+                                      bool is_wanted) {
+  const bool is_subscribed = static_cast<bool>(subscriber.getSubscriber());
+  if (is_wanted && !is_subscribed) subscriber.subscribe(getNodeHandle(), topic, kQueueSize);
+  if (!is_wanted && is_subscribed) subscriber.unsubscribe();
 }
 
 void PlaneConverterNodelet::updateSubscriptions() {
@@ -105,17 +97,8 @@ void PlaneConverterNodelet::updateSubscriptions() {
        {&model_, &inliers_, &polygon_, &markers_, &jsk_polygons_, &jsk_coefficients_}) {
     is_wanted |= hasSubscriber(*publisher);
   }
-  ros::NodeHandle& nh = getNodeHandle();
-  if (!is_wanted) {
-    planes_.shutdown();
-  } else if (!planes_) {
-    planes_ = nh.subscribe("planes", kQueueSize, &PlaneConverterNodelet::convert, this);
-  }
-  if (!hasSubscriber(inliers_)) {
-    labels_.shutdown();
-  } else if (!labels_) {
-    labels_ = nh.subscribe("labels", kQueueSize, &PlaneConverterNodelet::pairLabels, this);
-  }
+  subscribe(planes_, "planes", is_wanted);
+  subscribe(labels_, "labels", hasSubscriber(inliers_));
 }
 
 void PlaneConverterNodelet::convert(const PlaneArray::ConstPtr& planes) {
@@ -127,27 +110,11 @@ void PlaneConverterNodelet::convert(const PlaneArray::ConstPtr& planes) {
   if (hasSubscriber(jsk_polygons_)) jsk_polygons_.publish(jskPolygons(*planes));
   if (hasSubscriber(jsk_coefficients_)) jsk_coefficients_.publish(jskCoefficients(*planes));
 #endif
-  if (hasSubscriber(inliers_)) pairPlanes(planes);
 }
 
-void PlaneConverterNodelet::pairPlanes(const PlaneArray::ConstPtr& planes) {
-  if (const auto labels = take(waiting_labels_, planes->header.stamp)) {
-    publishInliers(*planes, *labels);
-  } else {
-    keep(waiting_planes_, planes);
-  }
-}
-
-void PlaneConverterNodelet::pairLabels(const sensor_msgs::Image::ConstPtr& labels) {
-  if (const auto planes = take(waiting_planes_, labels->header.stamp)) {
-    publishInliers(*planes, *labels);
-  } else {
-    keep(waiting_labels_, labels);
-  }
-}
-
-void PlaneConverterNodelet::publishInliers(const PlaneArray& planes, const sensor_msgs::Image& labels) const {
-  inliers_.publish(pointIndices(planes, choosePlane(planes, choice_), labels));
+void PlaneConverterNodelet::publishInliers(const PlaneArray::ConstPtr& planes,
+                                           const sensor_msgs::Image::ConstPtr& labels) {
+  inliers_.publish(pointIndices(*planes, choosePlane(*planes, choice_), *labels));
 }
 
 }  // namespace line_plane_segmentation

@@ -2,14 +2,13 @@
 #pragma once
 
 #include <line_plane_segmentation/PlaneArray.h>
+#include <message_filters/subscriber.h>
+#include <message_filters/time_synchronizer.h>
 #include <nodelet/nodelet.h>
 #include <ros/publisher.h>
-#include <ros/subscriber.h>
 #include <sensor_msgs/Image.h>
 
-#include <deque>
 #include <mutex>
-#include <vector>
 
 #include "conversions_of_planes.h"
 
@@ -23,21 +22,19 @@ class PlaneConverterNodelet : public nodelet::Nodelet {
   void onInit() override;
   void start();
   void updateSubscriptions();
+  template <typename Message>
+  void subscribe(message_filters::Subscriber<Message>& subscriber, const char* topic, bool is_wanted);
   void convert(const PlaneArray::ConstPtr& planes);
-  void pairPlanes(const PlaneArray::ConstPtr& planes);
-  void pairLabels(const sensor_msgs::Image::ConstPtr& labels);
-  void publishInliers(const PlaneArray& planes, const sensor_msgs::Image& labels) const;
+  void publishInliers(const PlaneArray::ConstPtr& planes, const sensor_msgs::Image::ConstPtr& labels);
 
   // Held while the publishers are made and whenever subscriptions change.
   std::mutex connect_mutex_;
   bool is_ready_ = false;
   PlaneChoice choice_;
   ros::Publisher model_, inliers_, polygon_, markers_, jsk_polygons_, jsk_coefficients_;
-  ros::Subscriber planes_, labels_;
-
-  // The newest messages that wait for one with the same stamp. Used by the node handle's queue alone.
-  std::deque<PlaneArray::ConstPtr> waiting_planes_;
-  std::deque<sensor_msgs::Image::ConstPtr> waiting_labels_;
+  message_filters::Subscriber<PlaneArray> planes_;
+  message_filters::Subscriber<sensor_msgs::Image> labels_;
+  message_filters::TimeSynchronizer<PlaneArray, sensor_msgs::Image> pairs_{10};
 };
 
 }  // namespace line_plane_segmentation

@@ -7,7 +7,9 @@
 #include <visualization_msgs/Marker.h>
 #include <visualization_msgs/MarkerArray.h>
 
+#include <algorithm>
 #include <boost/make_shared.hpp>
+#include <cmath>
 #include <cstdint>
 
 #include "line_plane_segmentation/palette.h"
@@ -45,6 +47,24 @@ inline visualization_msgs::Marker makeMarker(const std_msgs::Header& header, con
   marker.type = type;
   marker.action = visualization_msgs::Marker::ADD;
   marker.pose.orientation.w = 1.0;
+  return marker;
+}
+
+constexpr double kLineWidth = 0.02;  ///< [m] of outlines and arrows
+
+/// Length [m] of the arrow along a plane's normal, by the plane's area [m²].
+inline double arrowLength(double area) { return std::clamp(0.3 * std::sqrt(area), 0.05, 0.3); }
+
+/// Returns an arrow along a plane's normal.
+/// @param length  [m]
+template <typename Vector>
+visualization_msgs::Marker makeArrow(const std_msgs::Header& header, const char* name_space, std::uint32_t id,
+                                     const Vector& foot, const Vector& normal, double length) {
+  visualization_msgs::Marker marker = makeMarker(header, name_space, id, visualization_msgs::Marker::ARROW);
+  marker.points = {pointOf(foot), pointOf((foot + length * normal).eval())};
+  marker.scale.x = kLineWidth;
+  marker.scale.y = 2.5 * kLineWidth;
+  marker.scale.z = 0.25 * length;
   return marker;
 }
 

@@ -17,8 +17,6 @@ namespace {
 
 using visualization_msgs::Marker;
 
-constexpr double kLineWidth = 0.02;  // [m]
-
 // All rings of a plane as one LINE_LIST marker.
 Marker outlineMarker(const SegmentedFrame& frame, const PublishedPlane& published) {
   // The plane's own colour would be invisible on the cloud.
@@ -51,18 +49,12 @@ Eigen::Vector3d footOf(const SegmentedFrame& frame, const PublishedPlane& publis
   return frame.published.placement * (seen.d / toward * ray);
 }
 
-double arrowLength(const SegmentedPlane& plane) { return std::clamp(0.3 * std::sqrt(plane.area), 0.05, 0.3); }
-
 Marker normalMarker(const std_msgs::Header& header, const PublishedPlane& published,
                     const Eigen::Vector3d& foot) {
   constexpr float kWhitened = 0.6F;
-  Marker marker = makeMarker(header, "normals", published.id, Marker::ARROW);
+  Marker marker = makeArrow(header, "normals", published.id, foot, published.plane.normal,
+                            arrowLength(published.plane.area));
   marker.color = toRgba(colorOf(published.id), kWhitened);
-  const double length = arrowLength(published.plane);
-  marker.points = {pointOf(foot), pointOf((foot + length * published.plane.normal).eval())};
-  marker.scale.x = kLineWidth;
-  marker.scale.y = 2.5 * kLineWidth;
-  marker.scale.z = 0.25 * length;
   return marker;
 }
 

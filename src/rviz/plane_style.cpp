@@ -6,10 +6,12 @@
 #include <cmath>
 #include <cstddef>
 
+#include "line_plane_segmentation/orientation.h"
+
 namespace line_plane_segmentation {
 namespace {
 
-constexpr std::array<Color, 5> kOfOrientation = {{
+constexpr std::array<Color, kOrientationCount> kOfOrientation = {{
     {150, 150, 150},  // unknown
     {46, 204, 113},   // horizontal_up
     {241, 196, 15},   // horizontal_down
