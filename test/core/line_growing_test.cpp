@@ -209,7 +209,31 @@ TEST(NoiseMeter, GrowsInProportionToTheNoise) {
   EXPECT_LT(ratioOf(clean), 0.1);
 }
 
-TEST(NoiseMeter, IsOneWithoutEnoughPixels) { EXPECT_EQ(ratioOf(blankDepth(kWidth, kHeight)), 1.0); }
+double distortionOf(const DepthImage& depth) {
+  const Lines lines(depth);
+  return NoiseMeter().distortionRatio(lines.rows, lines.columns, NoiseParameters{},
+                                      lines.parameters.scanlines.scanline_spacing);
+}
+
+TEST(NoiseMeter, SeesDistortionOverSeveralScanlines) {
+  const DepthImage clean = render(surfaceAt(2.0, 0.3), kCamera, kWidth, kHeight);
+  const DepthImage noise = noisy(clean, 1.0);
+  EXPECT_LT(distortionOf(noise), ratioOf(noise));
+  DepthImage wavy = noise;  // by 5 mm, 192 pixels from crest to crest
+  for (std::size_t i = 0; i < wavy.z.size(); ++i) {
+    const std::size_t width = static_cast<std::size_t>(kWidth);
+    const double phase = 2.0 * 3.14159 / 192.0;
+    const double u = static_cast<double>(i % width), v = static_cast<double>(i / width);
+    wavy.z[i] += static_cast<float>(0.005 * (std::sin(phase * u) + std::sin(phase * v)));
+  }
+  EXPECT_NEAR(ratioOf(wavy), ratioOf(noise), 0.1);
+  EXPECT_GT(distortionOf(wavy), 1.5 * distortionOf(noise));
+}
+
+TEST(NoiseMeter, IsOneWithoutEnoughPixels) {
+  EXPECT_EQ(ratioOf(blankDepth(kWidth, kHeight)), 1.0);
+  EXPECT_EQ(distortionOf(blankDepth(kWidth, kHeight)), 1.0);
+}
 
 TEST(LineGrower, OfNothingIsNothing) {
   for (const auto& [width, height] : {std::pair{1, 1}, {1, 50}, {50, 1}, {3, 3}}) {

@@ -201,7 +201,7 @@ TEST(PlaneClusterer, OfNothingIsNothing) {
   for (const int cluster : found.cluster_at) EXPECT_EQ(cluster, -1);
   std::vector<PlaneCluster> clusters(3);
   std::vector<int> cluster_at(3);
-  PlaneClusterer().cluster(blankDepth(0, 0), ViewRays{}, CandidateGrid{}, adaptiveParameters(kWidth),
+  PlaneClusterer().cluster(blankDepth(0, 0), ViewRays{}, CandidateGrid{}, adaptiveParameters(kWidth), 1.0,
                            clusters, cluster_at);
   EXPECT_TRUE(clusters.empty());
   EXPECT_TRUE(cluster_at.empty());

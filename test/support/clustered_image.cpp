@@ -31,7 +31,7 @@ int CandidateImage::candidateAt(int u, int v) const {
 
 ClusteredImage::ClusteredImage(const DepthImage& depth, const Parameters& parameters)
     : CandidateImage(depth, parameters) {
-  PlaneClusterer().cluster(depth, rays, grid, parameters, clusters, cluster_at);
+  PlaneClusterer().cluster(depth, rays, grid, parameters, 1.0, clusters, cluster_at);
   // Those that are no planes come last.
   while (!clusters.empty() && !clusters.back().is_plane) clusters.pop_back();
   for (int& cluster : cluster_at) cluster = cluster < static_cast<int>(clusters.size()) ? cluster : -1;

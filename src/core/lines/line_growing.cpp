@@ -81,15 +81,19 @@ void LineGrower::grow(const std::vector<float>& across, const Parameters& parame
   }
 }
 
-void NoiseMeter::collect(const ScanlineSet& set, const NoiseParameters& noise) {
-  constexpr int kWindows =
-      2;  // of a piece: longer than the noise is correlated, short enough for most surfaces
+// Collects the squared distances of pieces of so many windows.
+void NoiseMeter::collect(const ScanlineSet& set, const NoiseParameters& noise, int windows) {
   constexpr double kMinFilled = 0.7;
+  const auto sum = [windows](const LineSums* first) {
+    LineSums total = first[0];
+    for (int i = 1; i < windows; ++i) total = total + first[i];
+    return total;
+  };
   for (int k = 0; k < set.count(); k += 2) {
     const LineSums* sums = set.sums.data() + set.indexOf(k, 0);
-    for (int i = 0; i + 3 * kWindows <= set.windows; i += kWindows) {
-      const LineSums a = sums[i] + sums[i + 1], b = sums[i + 2] + sums[i + 3], c = sums[i + 4] + sums[i + 5];
-      if (!(std::min({a.n, b.n, c.n}) >= kMinFilled * kWindows * set.window)) continue;
+    for (int i = 0; i + 3 * windows <= set.windows; i += windows) {
+      const LineSums a = sum(sums + i), b = sum(sums + i + windows), c = sum(sums + i + 2 * windows);
+      if (!(std::min({a.n, b.n, c.n}) >= kMinFilled * windows * set.window)) continue;
       const double ta = a.t / a.n, tb = b.t / b.n, tc = c.t / c.n;
       const double between = (tb - ta) / (tc - ta), rho = b.rho / b.n;
       const double error = rho - (1.0 - between) * a.rho / a.n - between * c.rho / c.n;
@@ -99,18 +103,34 @@ void NoiseMeter::collect(const ScanlineSet& set, const NoiseParameters& noise) {
   }
 }
 
-double NoiseMeter::ratio(const ScanlineSet& rows, const ScanlineSet& columns, const NoiseParameters& noise) {
-  // The median of chi-squared with one degree of freedom, times the variance of the deviation, in sigma_z²,
-  // in simulated images with a Kinect's noise (test/core/line_growing_test.cpp).
-  constexpr double kMedian = 0.455, kKinectVariance = 1.05;
+// @param chi_squared  the quantile of chi-squared with one degree of freedom
+double NoiseMeter::ratioOver(const ScanlineSet& rows, const ScanlineSet& columns,
+                             const NoiseParameters& noise, int windows, double quantile, double chi_squared) {
+  // Variance of the deviation, in sigma_z², in simulated images with a Kinect's noise
+  // (test/core/line_growing_test.cpp): its errors are shared along the scanline, so that pieces of any length
+  // have nearly the same.
+  constexpr double kKinectVariance = 1.05;
   constexpr std::size_t kFewest = 20;
   deviations_.clear();
-  collect(rows, noise);
-  collect(columns, noise);
+  collect(rows, noise, windows);
+  collect(columns, noise, windows);
   if (deviations_.size() < kFewest) return 1.0;
-  const auto middle = deviations_.begin() + static_cast<std::ptrdiff_t>(deviations_.size() / 2);
-  std::nth_element(deviations_.begin(), middle, deviations_.end());
-  return std::sqrt(static_cast<double>(*middle) / (kMedian * kKinectVariance));
+  const auto at =
+      deviations_.begin() + static_cast<std::ptrdiff_t>(quantile * static_cast<double>(deviations_.size()));
+  std::nth_element(deviations_.begin(), at, deviations_.end());
+  return std::sqrt(static_cast<double>(*at) / (chi_squared * kKinectVariance));
+}
+
+double NoiseMeter::ratio(const ScanlineSet& rows, const ScanlineSet& columns, const NoiseParameters& noise) {
+  constexpr int kWindows = 2;  // longer than the noise is correlated, short enough for most surfaces
+  return ratioOver(rows, columns, noise, kWindows, 0.5, 0.455);
+}
+
+double NoiseMeter::distortionRatio(const ScanlineSet& rows, const ScanlineSet& columns,
+                                   const NoiseParameters& noise, int spacing) {
+  constexpr int kSpacings = 3;
+  const int windows = std::max(2, kSpacings * spacing / std::max(1, rows.window));
+  return ratioOver(rows, columns, noise, windows, 0.25, 0.1015);
 }
 
 }  // namespace line_plane_segmentation

@@ -38,16 +38,25 @@ class LineGrower {
   std::vector<Node> nodes_;  // of one scanline
 };
 
-/// Estimates the depth noise of an image from windows of its scanlines.
+/// Estimates the depth errors of an image from windows of its scanlines: distances of a piece of a scanline
+/// from the line through its two neighbours.
 class NoiseMeter {
  public:
-  /// Returns the ratio of the noise in the image to the noise model (Eq. 5), from the median distance of a
-  /// piece of a scanline from the line through its two neighbours, in both sets. Returns 1 if there are fewer
-  /// than 20 such pieces.
+  /// Returns the ratio of the noise in the image to the noise model (Eq. 5), from the median over pieces of
+  /// two windows in both sets. Returns 1 if there are fewer than 20 such pieces.
   double ratio(const ScanlineSet& rows, const ScanlineSet& columns, const NoiseParameters& noise);
 
+  /// The same from pieces three scanline spacings long. Over that length independent noise averages out, and
+  /// the sensor's distortion, which bends planes, remains. Surfaces that end or bend themselves add to it,
+  /// so that the lower quartile is taken.
+  /// @param spacing  [px] between scanlines
+  double distortionRatio(const ScanlineSet& rows, const ScanlineSet& columns, const NoiseParameters& noise,
+                         int spacing);
+
  private:
-  void collect(const ScanlineSet& set, const NoiseParameters& noise);
+  double ratioOver(const ScanlineSet& rows, const ScanlineSet& columns, const NoiseParameters& noise,
+                   int windows, double quantile, double chi_squared);
+  void collect(const ScanlineSet& set, const NoiseParameters& noise, int windows);
 
   std::vector<float> deviations_;  // [sigma_z²] squared
 };

@@ -10,17 +10,30 @@ namespace {
 // smoother than its sensor's noise, as in-painted ones are, but its errors are not smaller.
 constexpr double kMinNoiseRatio = 1.0, kMaxNoiseRatio = 4.0;
 
+// Bounds of the measured distortion, as a multiple of the noise. A picture full of things has no three
+// scanline spacings without a bend: what is measured to be larger than a sensor's distortion is the scene's.
+constexpr double kMaxDistortion = 2.0, kLargestOfSensors = 4.0;
+
 }  // namespace
 
 void AdaptiveMethod::extractLines(Frame& frame) {
   Parameters& p = frame.parameters;
   window_summer_.sum(frame.depth, frame.rays, p.scanlines.scanline_spacing, p.lines.line_window, rows_,
                      columns_);
-  const double scale = p.noise.scale > 0.0 ? p.noise.scale
-                                           : std::clamp(noise_meter_.ratio(rows_, columns_, p.noise),
-                                                        kMinNoiseRatio, kMaxNoiseRatio);
+  const bool is_measured = !(p.noise.scale > 0.0);
+  const double scale =
+      is_measured ? std::clamp(noise_meter_.ratio(rows_, columns_, p.noise), kMinNoiseRatio, kMaxNoiseRatio)
+                  : p.noise.scale;
   p.noise.floor *= scale;
   p.noise.growth *= scale;
+  distortion_ = is_measured
+                    ? noise_meter_.distortionRatio(rows_, columns_, p.noise, p.scanlines.scanline_spacing)
+                    : 1.0;
+  distortion_ = distortion_ < kLargestOfSensors ? std::clamp(distortion_, 1.0, kMaxDistortion) : 1.0;
+  // Candidates deviate from their plane by the distortion. Whether the pixels of a small plane lie in it is
+  // still measured by the noise.
+  p.patches.patch_noise_factor *= distortion_;
+  p.clusters.max_curvedness /= distortion_ * distortion_;
   line_grower_.grow(frame.rays.y, p, rows_);
   line_grower_.grow(frame.rays.x, p, columns_);
 }
@@ -30,7 +43,7 @@ void AdaptiveMethod::detectCandidates(const Frame& frame) {
 }
 
 void AdaptiveMethod::extractPlanes(const Frame& frame, LabeledPlanes& planes) {
-  clusterer_.cluster(frame.depth, frame.rays, grid_, frame.parameters, clusters_, cluster_at_);
+  clusterer_.cluster(frame.depth, frame.rays, grid_, frame.parameters, distortion_, clusters_, cluster_at_);
   assigner_.assign(frame.depth, frame.rays, grid_, clusters_, cluster_at_, frame.parameters, planes.runs);
   continuation_.find(frame.rays, grid_, clusters_, cluster_at_, frame.parameters, plane_of_);
   planes.runs.relabel(plane_of_);

@@ -28,6 +28,7 @@ class AdaptiveMethod final : public SegmentationMethod {
   ScanlineSet rows_, columns_;
   WindowSummer window_summer_;
   NoiseMeter noise_meter_;
+  double distortion_ = 1.0;  // of the frame, as a multiple of its noise
   LineGrower line_grower_;
   CandidateGrid grid_;
   CrossingDetector crossing_detector_;

@@ -12,7 +12,7 @@ constexpr std::size_t kMaxClusters = 65534;  // 16-bit labels; 65535 marks inval
 
 // Residual sensor distortion bends a plane smoothly, so that its deviation grows with the square of its
 // extent and the mean square with the square of the fraction of the image that it covers. At this fraction
-// the bounds for small planes are doubled.
+// the bounds for small planes are doubled, at a smaller one if distortion is measured to be larger.
 constexpr double kDistortedFraction = 0.045;
 
 // A cluster is curved if a quadric surface leaves less than this fraction of its variance about a plane.
@@ -105,8 +105,8 @@ void PlaneClusterer::addPlanes(int root, double fraction_per_candidate, int min_
 }
 
 void PlaneClusterer::cluster(const DepthImage& depth, const ViewRays& rays, const CandidateGrid& grid,
-                             const Parameters& parameters, std::vector<PlaneCluster>& clusters,
-                             std::vector<int>& cluster_at) {
+                             const Parameters& parameters, double distortion,
+                             std::vector<PlaneCluster>& clusters, std::vector<int>& cluster_at) {
   tree_.start(grid.candidates);
   tree_.mergeLinked(grid.links, parameters.clusters.merge_cost,
                     {1.0 / 64, 1.0 / 16, 1.0 / 8, 1.0 / 4, 1.0 / 2, 1.0, 1.0});
@@ -118,8 +118,9 @@ void PlaneClusterer::cluster(const DepthImage& depth, const ViewRays& rays, cons
                static_cast<int>(std::lround(parameters.extraction.min_plane_inliers / pixels_per_crossing)));
   planes_.clear();
   others_.clear();
+  const double distorted_fraction = distortion * grid.fractionPerCandidate();
   for (int i = 0; i < tree_.size(); ++i) {
-    if (tree_.isRoot(i)) addPlanes(i, grid.fractionPerCandidate(), min_candidates, parameters.clusters);
+    if (tree_.isRoot(i)) addPlanes(i, distorted_fraction, min_candidates, parameters.clusters);
   }
   coplanar_merger_.merge(depth, rays, grid, parameters, tree_, planes_);
 

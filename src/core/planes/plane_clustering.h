@@ -24,10 +24,11 @@ struct PlaneCluster : FittedPixels {
 /// planes are merged across what occludes them.
 class PlaneClusterer {
  public:
+  /// @param distortion  how much larger the sensor's errors are over several candidates than within one
   /// @param clusters    receives the planes, then the surfaces that are none
   /// @param cluster_at  receives the index in `clusters` per crossing of the grid, -1 if none
   void cluster(const DepthImage& depth, const ViewRays& rays, const CandidateGrid& grid,
-               const Parameters& parameters, std::vector<PlaneCluster>& clusters,
+               const Parameters& parameters, double distortion, std::vector<PlaneCluster>& clusters,
                std::vector<int>& cluster_at);
 
  private:
