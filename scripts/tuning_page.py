@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Writes a page with a picture of what each parameter of the method does; called by scripts/make_tuning_page.
+"""Writes a page with a picture of the effect of each parameter of the method; called by scripts/make_tuning_page.
 
 Each picture shows the planes of the same image for a smaller, the default and a larger value.
 """
@@ -20,14 +20,14 @@ CAPTION = 14
 CAMERA = (525.0, 525.0, 319.5, 239.5)  # of the simulated camera at 640 x 480
 FACTOR = 4.0  # from the default to the smaller and the larger value
 
-# Where the default is 0 or no factor of it says much: the values that are shown.
+# Values for parameters whose default is 0, or for which multiples of the default are not instructive.
 VALUES = {
     "scanline_spacing": (6, 0, 40), "line_window": (5, 0, 31), "min_line_points": (10, 0, 90),
     "points_per_segment": (1, 3, 5), "normal_window": (8, 0, 60), "min_window_points": (20, 0, 1500),
     "min_plane_inliers": (300, 0, 20000), "min_plane_area": (0.0, 0.2, 1.0), "min_region_pixels": (10, 0, 3000),
     "min_range": (0.3, 1.5, 2.5), "max_range": (2.0, 3.0, 10.0), "min_patches": (1, 3, 30),
 }
-SKIPPED = {"method"}  # the presets show it
+SKIPPED = {"method"}  # shown by the presets
 
 
 def read_parameters():
@@ -56,7 +56,7 @@ def palette(index):
 
 
 def colours_of(labels, reference):
-    """A colour for each label: that of the plane in the reference with which it shares most pixels."""
+    """Returns the colours per label: that of the reference plane with the most common pixels."""
     colours = np.zeros((int(labels.max()) + 1, 3))
     taken = set()
     for label in range(1, len(colours)):
@@ -108,11 +108,7 @@ def draw(depth, reference, name, values, preset):
 
 
 def text_of(description):
-    unit, rest = re.match(r"(\[[^\]]*\]) (.*)", description).groups()
-    meaning, _, effect = rest.partition(" Higher -> ")
-    if effect:
-        return "%s %s Higher: %s." % (unit, meaning.rstrip(".") + ".", effect)
-    return "%s %s." % (unit, rest.rstrip("."))
+    return description.rstrip(".") + "."
 
 
 def write_page(depth, out):
@@ -120,7 +116,7 @@ def write_page(depth, out):
     references = {preset: segment(depth, preset).labels for preset in ("kinect", "paper")}
     lines = [
         "# Tuning", "",
-        "What each parameter of the method does to one image of the simulated camera. `scripts/make_tuning_page` makes this page from",
+        "The effect of each parameter of the method on one image of the simulated camera. `scripts/make_tuning_page` makes this page from",
         "[PlaneSegmenter.cfg](../cfg/PlaneSegmenter.cfg).", "",
         "Change a parameter while the node runs, and watch `overlay` or rviz:", "", "```sh",
         "rosrun dynamic_reconfigure dynparam set /camera/plane_segmenter min_plane_inliers 1000", "```", "",

@@ -12,7 +12,7 @@ namespace line_plane_segmentation {
 using Covariance2d = Eigen::Matrix<double, 2, 2, Eigen::DontAlign>;
 using Covariance4d = Eigen::Matrix<double, 4, 4, Eigen::DontAlign>;
 
-/// Rotation and translation, see Covariance2d.
+/// Rotation and translation without alignment requirements, for the same reason as Covariance2d.
 using RigidTransform = Eigen::Transform<double, 3, Eigen::Isometry, Eigen::DontAlign>;
 
 }  // namespace line_plane_segmentation

@@ -6,23 +6,24 @@
 
 namespace line_plane_segmentation {
 
-/// How a plane lies against gravity.
+/// Orientation of a plane relative to gravity.
 enum class Orientation : std::uint8_t {
-  kUnknown,         ///< nobody knows where up is
-  kHorizontalUp,    ///< a floor, a table: its visible side looks up
-  kHorizontalDown,  ///< a ceiling: its visible side looks down
-  kVertical,        ///< a wall
-  kSlanted,
+  kUnknown,         ///< the direction of gravity is unknown
+  kHorizontalUp,    ///< visible from above: floor, table
+  kHorizontalDown,  ///< visible from below: ceiling
+  kVertical,        ///< wall
+  kSlanted,         ///< all others
 };
 
 constexpr int kOrientationCount = 5;
 
-/// The orientation's name: "unknown", "horizontal_up", "horizontal_down", "vertical", "slanted".
+/// Returns the name: "unknown", "horizontal_up", "horizontal_down", "vertical", "slanted".
 const char* nameOf(Orientation orientation);
 
-/// @param normal     unit, toward the visible side
-/// @param up         unit, in the same frame
-/// @param tolerance  [rad] from 0 to pi / 4: how far a horizontal or vertical plane may be off
+/// Classifies a plane by the angle between its normal and the vertical.
+/// @param normal     unit normal of the visible side
+/// @param up         unit vector against gravity, in the same frame
+/// @param tolerance  [rad] largest deviation of a horizontal or vertical plane, 0 to pi / 4
 Orientation orientationOf(const Eigen::Vector3d& normal, const Eigen::Vector3d& up, double tolerance);
 
 }  // namespace line_plane_segmentation

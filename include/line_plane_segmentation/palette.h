@@ -7,17 +7,18 @@
 
 namespace line_plane_segmentation {
 
+/// Colour of 8 bits per channel.
 struct Color {
   std::uint8_t r = 0;
   std::uint8_t g = 0;
   std::uint8_t b = 0;
 };
 
-/// Number of colours of colorOf(), after which they repeat.
+/// Number of different colours of colorOf().
 constexpr std::uint32_t kPaletteSize = 60;
 
-/// The colour of the plane with this id (from 1), the same everywhere and always: twenty that are told
-/// apart easily, then twenty darker and twenty lighter ones, then the same again.
+/// Returns the colour of the plane with this id, from 1, for all outputs: 20 easily distinguished colours,
+/// then 20 darker and 20 lighter ones, repeated after kPaletteSize.
 inline Color colorOf(std::uint32_t id) {
   constexpr std::size_t kColorCount = 20;
   constexpr std::array<Color, kColorCount> kColors = {{

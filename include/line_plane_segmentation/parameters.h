@@ -6,119 +6,166 @@
 
 namespace line_plane_segmentation {
 
-/// Which extraction follows the candidates.
+/// Method of the segmentation.
 enum class Method : int {
-  kPaper = 0,     ///< the paper to the letter: fixed distances
-  kAdaptive = 1,  ///< distances that follow the sensor's noise, and the refinement of its result
+  kPaper = 0,     ///< the published method: fixed distances
+  kAdaptive = 1,  ///< tolerances that follow the sensor's noise, and refined labels
 };
 
-/// The method's public name: "paper" or "adaptive".
+/// Returns the method's public name: "paper" or "adaptive".
 const char* nameOf(Method method);
 
 /// Standard deviation of a depth z along the optical axis, Eq. 5 (after Nguyen et al. 2012):
 /// sigma_z = floor + growth * (z - nearest)^2.
 struct NoiseParameters {
-  double floor = 0.0012;   ///< [m] noise at the nearest distance. Higher -> everything counts as flatter
-  double growth = 0.0019;  ///< [1/m] how fast noise grows. Higher -> more tolerance far away
-  double nearest = 0.4;    ///< [m] where the noise is least
-  double scale = 0.0;  ///< [-] multiple of this model; 0: as measured in each image, at least 1 and at most 4
+  /// [m] Standard deviation of the depth at the distance noise_nearest (Eq. 5). Increase to
+  /// tolerate noisier sensors and rougher surfaces; decrease to separate lower steps.
+  double floor = 0.0012;
+  /// [1/m] Growth of the depth noise with the squared distance (Eq. 5). Increase to keep distant
+  /// planes whole; decrease to separate distant parallel planes.
+  double growth = 0.0019;
+  /// [m] Distance of the smallest depth noise (Eq. 5). Increase to let the noise grow from farther
+  /// away; decrease to let it grow from nearer.
+  double nearest = 0.4;
+  /// [-] Multiple of the noise model, 0 = as measured in each image, from 1 to 4. Increase to
+  /// tolerate noisier images; decrease to 1 to use the model unchanged.
+  double scale = 0.0;
 
+  /// Returns the standard deviation [m] at the depth z [m].
   double sigma(double z) const { return floor + growth * (z - nearest) * (z - nearest); }
 };
 
-/// Which part of the depth image is scanned, and how densely. 0 means: from the image's width.
+/// Range of the depth, and distance of the scanlines.
 struct ScanlineParameters {
-  double min_range = 0.3;   ///< [m] nearer depths count as missing
-  double max_range = 10.0;  ///< [m] farther depths count as missing
-  int scanline_spacing =
-      0;  ///< [px] between scanlines; paper: 30 (VGA), 20 (QVGA). Higher -> faster, misses small planes
+  /// [m] Smallest valid depth; nearer pixels are ignored. Increase to ignore parts of the robot;
+  /// decrease to segment nearer surfaces.
+  double min_range = 0.3;
+  /// [m] Largest valid depth; farther pixels are ignored. Increase to segment farther surfaces,
+  /// where the noise is larger; decrease to ignore them.
+  double max_range = 10.0;
+  /// [px] Distance between scanlines, 0 = from the image width; paper: 30 (VGA), 20 (QVGA).
+  /// Increase to save time; decrease to find smaller planes.
+  int scanline_spacing = 0;
 };
 
-/// Line regression, Algorithm 1. 0 means: from the image's width.
+/// Line regression, Algorithm 1.
 ///
-/// The paper leaves the bound of the fidelity open. It was calibrated on simulated scans with the noise of
-/// Eq. 5, drawn for each pixel alone, at 0.8 to 2.5 m (test/core/line_fidelity_test.cpp). With 4, of the
-/// windows on a plane 93 to 84 % pass at VGA and 82 to 76 % at QVGA, and segments cover 98 to 90 % and 94 to
-/// 87 % of it; segments run over no step of 10 cm and no crease of 90 degrees, over 5 % of the creases of 60
-/// degrees at most, and over a quarter of those of 30. With 3 more of a far plane is lost (15 to 20 %), with
-/// 6 half of the creases of 30 degrees. A real sensor's noise differs less from pixel to pixel, so that more
-/// passes.
+/// The paper does not state the bound of the fidelity. It was calibrated on simulated scans with independent
+/// noise of Eq. 5 per pixel, at 0.8 to 2.5 m (test/core/line_fidelity_test.cpp). With a bound of 4:
+/// - 93 to 84 % (VGA) and 82 to 76 % (QVGA) of the windows on a plane are accepted;
+/// - segments cover 98 to 90 % (VGA) and 94 to 87 % (QVGA) of the plane;
+/// - segments cross no step of 10 cm, no crease of 90 degrees, at most 5 % of the creases of 60 degrees, and
+/// a
+///   quarter of those of 30 degrees.
+///
+/// With a bound of 3, 15 to 20 % of a distant plane are lost; with 6, half of the creases of 30 degrees. The
+/// noise of a real sensor is correlated between pixels, so more windows are accepted.
 struct LineParameters {
-  int line_window =
-      0;  ///< [px] points of a fit, Nf; paper: 11 (VGA), 7 (QVGA). Higher -> smoother, blind to short pieces
-  int min_line_points =
-      0;  ///< [px] shortest segment, Nl; paper: 30 (VGA), 23 (QVGA). Higher -> fewer, surer candidates
-  double line_fidelity = 4.0;  ///< [-] bound of the Mahalanobis distances of three adjacent windows. Higher
-                               ///< -> bent pieces pass as straight
-  double line_noise_factor =
-      1.0;  ///< [-] noise along the scan as a multiple of Eq. 5. Higher -> coarser quantisation tolerated
+  /// [px] Number of points of a line fit, Nf, 0 = from the image width; paper: 11 (VGA), 7 (QVGA).
+  /// Increase to reduce the effect of noise; decrease to find shorter segments.
+  int line_window = 0;
+  /// [px] Shortest line segment, Nl, 0 = from the image width; paper: 30 (VGA), 23 (QVGA). Increase
+  /// to get fewer, more reliable candidates; decrease to find smaller planes.
+  int min_line_points = 0;
+  /// [-] Largest Mahalanobis distance of three adjacent windows. Increase to accept bent lines as
+  /// straight; decrease to split lines at smaller bends.
+  double line_fidelity = 4.0;
+  /// [-] Noise along the scan as a multiple of Eq. 5. Increase to tolerate coarser quantisation;
+  /// decrease to split lines at smaller deviations.
+  double line_noise_factor = 1.0;
 };
 
-/// Candidates by principal component analysis. 0 means: from the image's width.
+/// Plane candidates by principal component analysis (PCA).
 struct CandidateParameters {
-  int points_per_segment =
-      1;  ///< [-] 1, 3 or 5 candidates for each segment. Higher -> slower, finds more small planes
-  int normal_window =
-      0;  ///< [px] side of the window of the PCA; paper: 20. Higher -> steadier normals, fewer near edges
-  int min_window_points =
-      0;  ///< [px] valid points that it needs, Ns; paper: 240. Higher -> no candidate near holes
-  double max_curvature =
-      0.05;  ///< [-] smallest eigenvalue over the sum. Higher -> rougher places may start a plane
+  /// [-] Number of candidates per line segment: 1, 3 or 5. Increase to find more small planes;
+  /// decrease to save time.
+  int points_per_segment = 1;
+  /// [px] Side of the window of the principal component analysis, 0 = from the image width; paper:
+  /// 20. Increase to get more accurate normals; decrease to get candidates closer to edges.
+  int normal_window = 0;
+  /// [px] Smallest number of valid pixels in that window, Ns, 0 = from the image width; paper: 240.
+  /// Increase to drop candidates near holes; decrease to keep them.
+  int min_window_points = 0;
+  /// [-] Largest ratio of the smallest eigenvalue to the sum of all three. Increase to start planes
+  /// on rougher surfaces; decrease to start them on flat surfaces only.
+  double max_curvature = 0.05;
 };
 
-/// Recursive extraction, Algorithm 2. 0 means: from the image's width.
+/// Recursive extraction, Algorithm 2.
 struct ExtractionParameters {
-  double plane_distance = 0.02;  ///< [m] a point's distance to its plane, delta_d. Higher -> thicker planes,
-                                 ///< that swallow their neighbours
-  double neighbor_distance =
-      0.03;  ///< [m] between neighbours of one plane, delta_n. Higher -> bridges gaps and steps
-  double distance_noise_factor = 3.8;  ///< [-] method adaptive: both distances are at least so many sigma_z
-                                       ///< (Eq. 5). Higher -> far planes stay whole
-  int min_plane_inliers =
-      0;  ///< [px] smallest plane, N; paper: 5000 (VGA), 1000 (QVGA). Higher -> only large planes
-  double min_plane_area = 0.0;  ///< [m²] smallest plane; 0 = no such limit. Higher -> only large planes
+  /// [m] Largest orthogonal distance of a pixel from its plane, delta_d. Increase to tolerate
+  /// noisier sensors; decrease to separate parallel planes.
+  double plane_distance = 0.02;
+  /// [m] Largest distance between neighbouring points of a plane, delta_n. Increase to bridge gaps
+  /// and steps; decrease to separate surfaces at smaller steps.
+  double neighbor_distance = 0.03;
+  /// [-] Smallest value of both distances in standard deviations of the depth (Eq. 5). Increase to
+  /// keep distant planes whole; decrease to separate distant parallel planes.
+  double distance_noise_factor = 3.8;
+  /// [px] Smallest plane, N, 0 = from the image width; paper: 5000 (VGA), 1000 (QVGA). Increase to
+  /// keep large planes only; decrease to find smaller planes.
+  int min_plane_inliers = 0;
+  /// [m²] Smallest visible area of a plane, 0 = no limit. Increase to keep large planes only;
+  /// decrease to find smaller planes.
+  double min_plane_area = 0.0;
 };
 
-/// Method adaptive: the local planes at the crossings of the scanlines.
+/// Method adaptive: patches, which are local planes at the crossings of the scanlines.
 struct PatchParameters {
-  double patch_noise_factor = 1.6;  ///< [-] tolerance of a patch, and unit of merge costs, as a multiple of
-                                    ///< sigma_z. Higher -> coarser sensors, blunter edges
-  double patch_distance =
-      0.004;  ///< [m] least tolerance across the plane. Higher -> nearby surfaces may be rougher
-  double patch_flatness = 1.2;  ///< [-] largest mean squared error of a patch, in tolerances squared. Higher
-                                ///< -> rough and curved surfaces count as planes
+  /// [-] Tolerance of a patch, and unit of the merge costs, as a multiple of the depth's standard
+  /// deviation. Increase to tolerate coarser sensors; decrease to separate planes at blunt edges.
+  double patch_noise_factor = 1.6;
+  /// [m] Smallest tolerance, orthogonal to the plane. Increase to accept rougher surfaces nearby;
+  /// decrease to separate lower steps nearby.
+  double patch_distance = 0.004;
+  /// [-] Largest mean squared error of a patch, in squared tolerances. Increase to accept rough and
+  /// curved surfaces; decrease to accept flat surfaces only.
+  double patch_flatness = 1.2;
 };
 
-/// Method adaptive: which patches make one plane.
+/// Method adaptive: clustering of patches to planes.
 struct ClusterParameters {
-  double merge_cost = 4.4;     ///< [-] neighbours merge if that moves neither by more, in tolerances squared.
-                               ///< Higher -> fewer, larger planes over blunt edges
-  double coplanar_cost = 3.5;  ///< [-] the same for planes apart, with an object before the gap; 0 = never.
-                               ///< Higher -> more is joined across gaps
-  double max_curvedness = 1.0;  ///< [-] largest mean squared error of a small plane, in tolerances squared.
-                                ///< Higher -> pieces of curved things, as people, count as planes
-  double max_waviness = 0.25;   ///< [-] mean square that the patches of a small plane may deviate from it, in
-                                ///< tolerances squared. Higher -> people and rough things count as planes
-  double max_bend = 0.1;  ///< [-] mean square that a small plane may deviate as a curved surface would, in
-                          ///< tolerances squared. Higher -> pieces of smooth curved things count as planes
-  int min_patches = 3;    ///< [-] smallest plane in patches. Higher -> only large planes
+  /// [-] Largest squared error that a merge of two clusters adds per pixel of the smaller one, in
+  /// squared tolerances. Increase to merge planes across blunt edges; decrease to separate them.
+  double merge_cost = 4.4;
+  /// [-] The same for two parts of a plane that an object in front separates, 0 = never. Increase
+  /// to merge more parts across gaps; decrease to keep them separate.
+  double coplanar_cost = 3.5;
+  /// [-] Largest mean squared error of a small plane, in squared tolerances. Increase to accept
+  /// parts of curved surfaces, including people; decrease to reject them.
+  double max_curvedness = 1.0;
+  /// [-] Largest mean squared deviation of a small plane's patches from it, in squared tolerances.
+  /// Increase to accept rough surfaces, including people; decrease to reject them.
+  double max_waviness = 0.25;
+  /// [-] Largest mean squared deviation of a small plane towards a quadric surface, in squared
+  /// tolerances. Increase to accept parts of smooth curved surfaces; decrease to reject them.
+  double max_bend = 0.1;
+  /// [-] Smallest number of patches of a plane. Increase to keep large planes only; decrease to
+  /// find smaller planes.
+  int min_patches = 3;
 };
 
-/// Method adaptive: tidying the label image. 0 means: from the image's width.
+/// Method adaptive: removal of small regions from the label image.
 struct CleanupParameters {
-  int min_region_pixels =
-      0;  ///< [px] smaller pieces and holes go to what surrounds them. Higher -> smoother regions
+  /// [px] Size below which connected components and holes are assigned to their surroundings, 0 =
+  /// from the image width. Increase to get smoother regions; decrease to keep finer details.
+  int min_region_pixels = 0;
 };
 
 /// Outline polygons.
 struct OutlineParameters {
-  bool trace_outlines = true;  ///< polygons of the planes; off -> faster, empty outlines
-  double outline_tolerance =
-      2.0;  ///< [px] largest distance of the border to its polygon. Higher -> fewer vertices
-  int min_hole_pixels = 100;  ///< [px] smaller holes are closed. Higher -> simpler polygons
+  /// [-] Compute the outline polygons of the planes. Switch off to save time; outlines are then
+  /// empty.
+  bool trace_outlines = true;
+  /// [px] Largest distance between a region's border and its polygon. Increase to get fewer
+  /// vertices; decrease to follow the border more closely.
+  double outline_tolerance = 2.0;
+  /// [px] Smallest hole of an outline; smaller holes are closed. Increase to get simpler polygons;
+  /// decrease to keep smaller holes.
+  int min_hole_pixels = 100;
 };
 
-/// All parameters of the method with their defaults: those of a Kinect or Xtion.
+/// All parameters of the method. The defaults suit a Kinect or Xtion.
 struct Parameters {
   Method method = Method::kAdaptive;
   NoiseParameters noise;
@@ -132,9 +179,9 @@ struct Parameters {
   OutlineParameters outlines;
 };
 
-/// Calls `visitor(name, value, min, max)` for every parameter, `value` being a reference to an int,
-/// double, bool or Method: the one list of the parameters' public names and bounds, which the command line,
-/// dynamic_reconfigure and the tests go by.
+/// Calls `visitor(name, value, min, max)` for every parameter; `value` is a reference to an int, double, bool
+/// or Method. Command line, dynamic_reconfigure, Python and tests read the public names and bounds from this
+/// list.
 template <typename ParametersType, typename Visitor>
 void visitParameters(ParametersType& p, Visitor&& visitor) {
   visitor("method", p.method, Method::kPaper, Method::kAdaptive);
@@ -173,27 +220,27 @@ void visitParameters(ParametersType& p, Visitor&& visitor) {
   visitor("min_hole_pixels", p.outlines.min_hole_pixels, 0, 1000000);
 }
 
-/// Says that a parameter, by its public name, has no effect on a method. Empty if it has one.
+/// Returns a line that states that a parameter has no effect on a method; empty if it has an effect.
+/// @param name  public name of the parameter
 std::string noEffect(const std::string& name, Method method);
 
-/// Brings every parameter within its bounds, a NaN to its default, points_per_segment to 1, 3 or 5,
-/// line_window from 1, which makes no line, to 2, and min_range below max_range.
-/// @return one line for each value that was changed, which names it; empty if none was
+/// Limits every parameter to its bounds, replaces NaN by the default, sets points_per_segment to 1, 3 or 5,
+/// line_window to at least 2 unless it is 0, and min_range to less than max_range.
+/// @return one line per changed value, with its name; empty if no value was changed
 std::vector<std::string> sanitize(Parameters& parameters);
 
-/// Fills in every parameter that is 0 for "from the image's width": the paper's values at 640 and at
-/// 320 pixels, between them interpolated, beyond them scaled so that the method looks at the same
-/// part of the view.
+/// Replaces each 0 that means "from the image width" by a value: the paper's at 640 and at 320 pixels,
+/// interpolated between these widths, and scaled beyond them, so that sizes stay constant as viewing angles.
 /// @param width  [px], at least 1
 Parameters resolve(const Parameters& parameters, int width);
 
-/// The parameters of a preset: "kinect" (the defaults), "short_range" (scanners with millimetre steps
-/// and small parts), "paper" (the published method to the letter).
-/// @return false, and `parameters` unchanged, if there is no preset of that name
+/// Sets all parameters to a preset: "kinect" (the defaults), "short_range" (scanners with millimetre steps
+/// and small parts) or "paper" (the published method).
+/// @return false if there is no preset of that name; `parameters` are then unchanged
 bool loadPreset(const std::string& name, Parameters& parameters);
 
-/// Sets one parameter from text, "0.02", "true", "paper".
-/// @return an empty string, or what is wrong with `name` or `value`
+/// Sets one parameter from text such as "0.02", "true" or "paper".
+/// @return error message about `name` or `value`; empty on success
 std::string setParameter(const std::string& name, const std::string& value, Parameters& parameters);
 
 }  // namespace line_plane_segmentation

@@ -13,15 +13,16 @@
 
 namespace line_plane_segmentation {
 
-/// The stages of a frame, in their order.
+/// Stages of the segmentation, in the order of execution.
 enum class Stage { kLines, kCandidates, kExtraction, kRefinement, kOutlines };
 
 constexpr int kStageCount = 5;
 
-/// The stage's name as it stands in reports: "lines", "candidates", "extraction", "refinement", "outlines".
+/// Returns the stage's name in reports: "lines", "candidates", "extraction", "refinement", "outlines".
 const char* nameOf(Stage stage);
 
-/// Told as each stage of a frame ends: how a caller takes times, since the core reads no clock.
+/// Interface that is called when a stage of a frame ends. The core reads no clock; a caller measures times
+/// here.
 class StageObserver {
  public:
   virtual ~StageObserver() = default;
@@ -31,8 +32,8 @@ class StageObserver {
 
 /// Finds the planes of a depth image with line primitives, after Zhang, Chen and Liu (2016).
 ///
-/// The same input and parameters give the same result, bit by bit, whatever was seen before. After
-/// the first frames of a size nothing is allocated. Not thread-safe: one segmenter for each thread.
+/// The same input and parameters give the same result, bit by bit, independent of earlier frames. After the
+/// first frames of a size no memory is allocated. Not thread-safe: use one segmenter per thread.
 class PlaneSegmenter {
  public:
   explicit PlaneSegmenter(const Parameters& parameters = {});
@@ -40,20 +41,24 @@ class PlaneSegmenter {
   PlaneSegmenter(PlaneSegmenter&&) noexcept;
   PlaneSegmenter& operator=(PlaneSegmenter&&) noexcept;
 
-  /// Takes effect with the next frame. `parameters` are put in order by sanitize() first.
+  /// Sets the parameters for the next frames, after sanitize().
   void setParameters(const Parameters& parameters);
   const Parameters& parameters() const;
 
-  /// Segments one image. An empty view, an invalid camera, or no depth at all gives no planes and
-  /// labels that are all 0. The result is valid until the next call.
+  /// Segments one image. If the view is empty, the camera invalid or no depth valid, the result has no planes
+  /// and all labels are 0. Never throws on bad data.
+  /// @param observer  called at the end of each stage; may be null
+  /// @return the result, valid until the next call
   const Segmentation& segment(const DepthView& depth, const CameraIntrinsics& camera,
                               StageObserver* observer = nullptr);
 
-  /// The line segments of the last frame (the paper's Figure 4).
-  const std::vector<LineSegment>& lineSegments() const;
+  /// Returns the line segments of the last frame (Figure 4 of the paper). Computed by the first call after a
+  /// frame.
+  const std::vector<LineSegment>& lineSegments();
 
-  /// The candidates of the last frame, before extraction.
-  const std::vector<PlaneCandidate>& candidates() const;
+  /// Returns the plane candidates of the last frame, before extraction. Computed by the first call after a
+  /// frame.
+  const std::vector<PlaneCandidate>& candidates();
 
  private:
   struct Stages;

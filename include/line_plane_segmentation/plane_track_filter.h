@@ -8,16 +8,23 @@
 
 namespace line_plane_segmentation {
 
-/// Errors of the camera's pose in the fixed frame, which planes are fused in.
+/// Errors of the camera's pose in the fixed frame, in which planes are fused.
 struct FusionParameters {
-  double fusion_pose_angle =
-      0.5;  ///< [deg] standard deviation of its orientation in one image, about each axis
-  double fusion_pose_distance = 0.01;  ///< [m] standard deviation of its position in one image
-  double fusion_drift_angle = 0.1;  ///< [deg/sqrt(s)] drift of its orientation: process noise of the normals
-  double fusion_drift_distance = 0.003;  ///< [m/sqrt(s)] drift of its position: process noise of the offsets
+  /// [deg] Standard deviation of the camera's orientation in one image. Increase to smooth more;
+  /// decrease to follow changes faster.
+  double fusion_pose_angle = 0.5;
+  /// [m] Standard deviation of the camera's position in one image. Increase to smooth more;
+  /// decrease to follow changes faster.
+  double fusion_pose_distance = 0.01;
+  /// [deg/sqrt(s)] Process noise of a normal, caused by drift of the camera's pose. Increase to
+  /// follow changes faster; decrease to smooth more.
+  double fusion_drift_angle = 0.1;
+  /// [m/sqrt(s)] Process noise of a plane's offset, caused by drift of the camera's pose. Increase
+  /// to follow changes faster; decrease to smooth more.
+  double fusion_drift_distance = 0.003;
 };
 
-/// As visitParameters() for the method's parameters: the one list of names and bounds.
+/// Calls `visitor(name, value, min, max)` for each parameter, as visitParameters() does for the method's.
 template <typename ParametersType, typename Visitor>
 void visitFusionParameters(ParametersType& p, Visitor&& visitor) {
   visitor("fusion_pose_angle", p.fusion_pose_angle, 0.0, 90.0);
@@ -26,17 +33,17 @@ void visitFusionParameters(ParametersType& p, Visitor&& visitor) {
   visitor("fusion_drift_distance", p.fusion_drift_distance, 0.0, 10.0);
 }
 
-/// A Kalman filter of one plane that stands still in a fixed frame, observed by a camera that moves.
+/// Kalman filter of one static plane in a fixed frame, observed by a moving camera.
 ///
 /// The state is minimal: two rotations of the unit normal about axes in its tangent plane, and the offset
 /// along the normal at an anchor, a point of the plane's first observation. The anchor keeps the offset
 /// independent of the distance to the frame's origin. A measurement beyond the 99 % quantile of its
-/// Mahalanobis distance is weighted down to that quantile, as a Huber estimator does; after 30 of them
-/// in a row, or two for each that fits, the filter starts anew at the last.
+/// Mahalanobis distance is an outlier and is weighted down to that quantile, as by a Huber estimator. After
+/// 30 consecutive outliers, or two outliers per inlier, the filter restarts at the last measurement.
 class PlaneTrackFilter {
  public:
-  /// Starts with a first measurement.
-  /// @param measured            with a covariance, in the camera's optical frame
+  /// Initialises the state with a first measurement.
+  /// @param measured            plane with covariance in the camera's optical frame
   /// @param fixed_from_optical  pose of the camera in the fixed frame
   PlaneTrackFilter(const SegmentedPlane& measured, const Eigen::Isometry3d& fixed_from_optical,
                    const FusionParameters& parameters);
@@ -45,8 +52,8 @@ class PlaneTrackFilter {
   /// @param seconds  [s] not negative
   void predict(double seconds, const FusionParameters& parameters);
 
-  /// Fuses a measurement, as for the constructor. A plane that faces the other way is taken as its own
-  /// negative.
+  /// Fuses a measurement, given as in the constructor. The sign of a plane with the opposite normal is
+  /// changed.
   /// @return squared Mahalanobis distance between measurement and prediction; 3 degrees of freedom
   double update(const SegmentedPlane& measured, const Eigen::Isometry3d& fixed_from_optical,
                 const FusionParameters& parameters);
@@ -63,7 +70,7 @@ class PlaneTrackFilter {
     return point - (normal_.dot(point - anchor_) + offset_) * normal_;
   }
 
-  /// Measurements since the filter started, or started anew.
+  /// Returns the number of measurements since the start or the last restart.
   std::uint32_t observations() const { return observations_; }
 
  private:

@@ -12,18 +12,24 @@
 
 namespace line_plane_segmentation {
 
-/// When a plane is taken for one that was seen before. The bounds are wide since planes compete: what counts
-/// is which one fits best. Where two planes are now seen as one, now as two, coefficients jump.
+/// Limits for matching a plane to one of an earlier image. They are wide, because the best of all candidates
+/// is chosen, and because coefficients jump when two planes are segmented as one in some images only.
 struct TrackingParameters {
-  bool track_planes = true;     ///< ids stay with their planes; off -> a plane's id is its label
-  double track_memory = 3.0;    ///< [s] that an unseen plane keeps its id. Higher -> longer absences
-  double track_angle = 45.0;    ///< [deg] that a normal may turn by. Higher -> survives poorer segmentation,
-                                ///< and more mistakes
-  double track_distance = 0.1;  ///< [-] that a plane may be off from where it was expected, as a share of its
-                                ///< depth. Higher -> survives faster motion, and more mistakes
+  /// [-] Keep the ids of planes over time. Switch off to use a plane's label as its id.
+  bool track_planes = true;
+  /// [s] Time for which an invisible plane keeps its id. Increase to bridge longer occlusions;
+  /// decrease to give returning planes new ids earlier.
+  double track_memory = 3.0;
+  /// [deg] Largest rotation of a plane's normal between two images. Increase to follow faster
+  /// motion, at the risk of wrong matches; decrease to avoid wrong matches.
+  double track_angle = 45.0;
+  /// [-] Largest deviation of a plane from its expected position, as a fraction of its depth.
+  /// Increase to follow faster motion, at the risk of wrong matches; decrease to avoid wrong
+  /// matches.
+  double track_distance = 0.1;
 };
 
-/// As visitParameters() for the method's parameters: the one list of names and bounds.
+/// Calls `visitor(name, value, min, max)` for each parameter, as visitParameters() does for the method's.
 template <typename ParametersType, typename Visitor>
 void visitTrackingParameters(ParametersType& p, Visitor&& visitor) {
   visitor("track_planes", p.track_planes, false, true);
@@ -32,26 +38,27 @@ void visitTrackingParameters(ParametersType& p, Visitor&& visitor) {
   visitor("track_distance", p.track_distance, 0.001, 10.0);
 }
 
-/// Planes of one image that are tracked at most: the first, which are the largest. It bounds memory and time.
+/// Largest number of tracked planes of one image, the largest ones. Bounds memory and time.
 constexpr std::size_t kMaxTrackedPlanes = 1024;
 
-/// The planes beyond have ids from here on, this + their label, which change from image to image.
+/// Id of a plane beyond that number: this value plus its label. It changes from image to image.
 constexpr std::uint32_t kFirstUntrackedId = 0xFFFF0000U;
 
-/// Gives planes ids that stay from image to image: the same surface keeps its id while it is in view and
-/// for a short absence.
+/// Assigns ids to planes that stay the same from image to image, while a surface is in view and during short
+/// occlusions.
 ///
-/// Of each plane it remembers the coefficients and points on a coarse grid of pixels. In the next image the
-/// points are looked for where the camera's motion brings them or, if that is not known, at the same pixels:
-/// a plane is the one before with which it shares the largest part of these points, if both lie alike. Planes
-/// that share no points, after an absence or a sudden motion, are known again by their coefficients.
+/// For each plane the tracker stores the coefficients and sample points on a coarse grid of pixels. In the
+/// next image it projects the points with the camera's motion or, if the motion is unknown, compares the same
+/// pixels. A plane is matched to the earlier plane with the largest fraction of common points, if their
+/// coefficients are similar. Planes without common points, after an occlusion or a sudden motion, are matched
+/// by their coefficients.
 ///
-/// A surface that objects cut apart is seen now as one plane, now as several. Planes that were seen as one,
-/// and lie in one direction, are parts of it from then on: its id goes with the largest of them that is in
-/// view.
+/// Objects can divide a surface, which is then segmented as one plane in some images and as several in
+/// others. Parallel planes that were once segmented as one are parts of one surface from then on. The id of
+/// the surface belongs to its largest visible part.
 ///
-/// Ids count from 1 and none is used twice before reset(). The same sequence of input gives the same ids, bit
-/// by bit. Allocates nothing once warm; what it remembers is bounded, whatever is seen. Not thread-safe.
+/// Ids count from 1 and are never reused before reset(). The same sequence of input gives the same ids. No
+/// memory is allocated after the first images, and the stored data is bounded. Not thread-safe.
 class PlaneTracker {
  public:
   explicit PlaneTracker(const TrackingParameters& parameters = {});
@@ -62,13 +69,14 @@ class PlaneTracker {
   /// Takes effect with the next image.
   void setParameters(const TrackingParameters& parameters);
 
-  /// @param seconds  [s] when the image was taken: not before the last one, for which there is reset()
-  /// @param motion   takes points of the last image's optical frame to this one's; null: it is not known
-  /// @return the id of each plane, in the order of segmentation.planes; valid until the next call
+  /// Matches the planes of an image to those of earlier images.
+  /// @param seconds  [s] timestamp of the image, not before the last one's; call reset() before going back
+  /// @param motion   maps points of the last image's optical frame to this image's; null: unknown
+  /// @return id per plane, in the order of segmentation.planes; valid until the next call
   const std::vector<std::uint32_t>& track(const Segmentation& segmentation, const CameraIntrinsics& camera,
                                           double seconds, const RigidTransform* motion = nullptr);
 
-  /// The same for an Eigen::Isometry3d, whose layout depends on the flags of the caller.
+  /// Same for an Eigen::Isometry3d, whose layout depends on the compiler flags of the caller.
   template <int Options>
   const std::vector<std::uint32_t>& track(
       const Segmentation& segmentation, const CameraIntrinsics& camera, double seconds,
@@ -78,10 +86,10 @@ class PlaneTracker {
     return track(segmentation, camera, seconds, &unaligned);
   }
 
-  /// Number of planes of the last image beyond kMaxTrackedPlanes, which have no lasting id.
+  /// Returns the number of planes of the last image beyond kMaxTrackedPlanes, which have no lasting id.
   std::size_t untracked() const;
 
-  /// Forgets all planes, and begins again with id 1.
+  /// Removes all planes. The next id is 1.
   void reset();
 
  private:

@@ -6,9 +6,9 @@
 
 namespace line_plane_segmentation {
 
-/// A plane of the optical frame as another frame has it: coefficients, their covariance and the centroid. The
-/// normal still points toward the camera, wherever that is; so d may be negative.
-/// @param placement  takes points of the optical frame to the other one
-SegmentedPlane transformed(const SegmentedPlane& plane, const RigidTransform& placement);
+/// Transforms coefficients, their covariance and the centroid of a plane from the optical frame to another
+/// one. The normal still points towards the camera, which need not be at the origin, so d can be negative.
+/// @param target_from_optical  maps points of the optical frame to the target frame
+SegmentedPlane transformed(const SegmentedPlane& plane, const RigidTransform& target_from_optical);
 
 }  // namespace line_plane_segmentation

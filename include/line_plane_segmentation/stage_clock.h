@@ -8,7 +8,7 @@
 
 namespace line_plane_segmentation {
 
-/// Takes the time of each stage of a frame. A stage that did not run took 0.
+/// Measures the time of each stage of a frame [ms]. The time of a stage that did not run is 0.
 class StageClock : public StageObserver {
  public:
   void frameStarted() override {
@@ -23,7 +23,7 @@ class StageClock : public StageObserver {
 
   double milliseconds(Stage stage) const { return milliseconds_[static_cast<std::size_t>(stage)]; }
 
-  /// From the frame's start to the end of its last stage.
+  /// Returns the time from the start of the frame to the end of its last stage [ms].
   double totalMilliseconds() const { return Milliseconds(last_ - start_).count(); }
 
  private:

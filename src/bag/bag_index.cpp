@@ -17,7 +17,7 @@ using Bytes = std::vector<std::uint8_t>;
 
 constexpr std::size_t kIndexEntry = 12;  // [bytes] a time and an offset
 
-/// The records of a bag, one after another, as long as each fits into the file.
+/// Reads the records of a bag in order, and checks that each is inside the file.
 class IndexCheck {
  public:
   /// @param file  a bag of format 2.0
@@ -97,8 +97,8 @@ class IndexCheck {
     return chunk_starts_.count(low | high << 32U) != 0;
   }
 
-  // The entries that follow are about this chunk. Compressed ones have sums of their own, which tell if their
-  // content is broken.
+  // The index entries that follow refer to this chunk. The content of compressed chunks is not checked here,
+  // because they have checksums.
   bool checkChunk(const Record& record) {
     chunk_starts_.insert(record.start);
     const bool is_plain = fields_.text(rosbag::COMPRESSION_FIELD_NAME) == rosbag::COMPRESSION_NONE;
@@ -144,7 +144,7 @@ class IndexCheck {
     return static_cast<bool>(stream_);
   }
 
-  // What is near is read over: a jump throws away what the stream has read ahead.
+  // Short distances are skipped by reading, because seeking discards the stream's read buffer.
   void goTo(std::uint64_t position) {
     constexpr std::uint64_t kNear = 1024;
     const std::uint64_t distance = position - at_;

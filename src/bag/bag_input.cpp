@@ -61,7 +61,7 @@ class IndexedBag : public BagInput {
     }
   }
 
-  double share() const override { return size_ == 0 ? 1.0 : static_cast<double>(read_) / size_; }
+  double fractionRead() const override { return size_ == 0 ? 1.0 : static_cast<double>(read_) / size_; }
   const std::map<std::string, std::string>& topics() const override { return topics_; }
   const std::string& damage() const override { return damage_; }
 

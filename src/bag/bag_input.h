@@ -13,12 +13,12 @@
 
 namespace line_plane_segmentation {
 
-/// A serialised message of a bag.
+/// Serialised message of a bag.
 struct BagMessage {
   std::string topic;
   ros::Time time;  ///< time of recording
   topic_tools::ShapeShifter::ConstPtr content;
-  boost::shared_ptr<ros::M_string> connection;  ///< header of its connection
+  boost::shared_ptr<ros::M_string> connection;  ///< fields of its connection header
 };
 
 /// Decides by topic and data type whether messages are read.
@@ -32,13 +32,13 @@ class BagInput {
   /// @return false at the end of the bag
   virtual bool next(BagMessage& message) = 0;
 
-  /// Fraction of the bag that was read, 0 to 1.
-  virtual double share() const = 0;
+  /// Returns the fraction of the bag that was read, 0 to 1.
+  virtual double fractionRead() const = 0;
 
-  /// Data type per topic, as far as known before reading. Empty if the bag has no index.
+  /// Returns the data type per topic, as far as known before reading. Empty if the bag has no index.
   virtual const std::map<std::string, std::string>& topics() const = 0;
 
-  /// Description of the damage found so far, empty if none.
+  /// Returns a description of the damage found so far; empty if none.
   virtual const std::string& damage() const = 0;
 };
 

@@ -16,19 +16,21 @@
 
 namespace line_plane_segmentation {
 
-/// Writer of a bag.
+/// Writer of a bag. Converts rosbag's exceptions to BadInput.
 class BagOutput {
  public:
-  /// @param file  where it is written
-  /// @param name  its name in error messages
+  /// Opens the file.
+  /// @param file  file to write
+  /// @param name  name of the bag in error messages
   /// @throws BadInput if the file cannot be written
   BagOutput(const std::filesystem::path& file, std::string name, rosbag::CompressionType compression);
 
-  /// If close() was not called, the file is not a valid bag.
+  /// Closes the file. It is a valid bag only if close() was called before.
   ~BagOutput();
   BagOutput(const BagOutput&) = delete;
   BagOutput& operator=(const BagOutput&) = delete;
 
+  /// Serialises and writes a message.
   /// @throws BadInput if the disk is full
   template <typename Message>
   void write(const std::string& topic, const ros::Time& time, const Message& message) {
@@ -43,6 +45,7 @@ class BagOutput {
     });
   }
 
+  /// Writes the index and closes the bag.
   /// @throws BadInput if the disk is full
   void close();
 

@@ -10,16 +10,17 @@
 
 namespace line_plane_segmentation {
 
+/// Largest accepted sizes of a record's header and of an uncompressed chunk [bytes].
 constexpr std::uint32_t kLargestRecordHeader = 1U << 20;
 constexpr std::uint32_t kLargestChunk = 1U << 30;
 
-/// Reads a number as bags store it, little-endian, at any address.
+/// Reads an unaligned little-endian number.
 inline std::uint32_t numberAt(const std::uint8_t* bytes) {
   return bytes[0] | static_cast<std::uint32_t>(bytes[1]) << 8 | static_cast<std::uint32_t>(bytes[2]) << 16 |
          static_cast<std::uint32_t>(bytes[3]) << 24;
 }
 
-/// The named fields at the head of a bag's record (wiki.ros.org/Bags/Format/2.0).
+/// Header fields of a bag's record (wiki.ros.org/Bags/Format/2.0).
 class RecordFields {
  public:
   bool parse(std::uint8_t* bytes, std::uint32_t size) {
@@ -35,14 +36,14 @@ class RecordFields {
     return value;
   }
 
-  /// Returns the number `at` bytes into the field; 0 if there is none.
+  /// Returns the number at the offset `at` [bytes] of the field; 0 if there is none.
   std::uint32_t number(const std::string& name, std::size_t at = 0) const {
     const std::string bytes = text(name);
     if (bytes.size() < at + 4) return 0;
     return numberAt(reinterpret_cast<const std::uint8_t*>(bytes.data()) + at);
   }
 
-  /// Returns the kind of record; 0 if it has none.
+  /// Returns the record type (field "op"); 0 if there is none.
   unsigned operation() const {
     const std::string value = text(rosbag::OP_FIELD_NAME);
     return value.size() == 1 ? static_cast<unsigned char>(value[0]) : 0;

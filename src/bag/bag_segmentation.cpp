@@ -19,7 +19,7 @@
 #include "progress.h"
 #include "robot_messages.h"
 #include "run_tool.h"
-#include "topic_advice.h"
+#include "topic_help.h"
 
 namespace line_plane_segmentation {
 namespace {
@@ -43,7 +43,7 @@ class BagSegmentation {
 
   void run() {
     checkNamedTopics();
-    // Before, there is nothing to take away.
+    // Until here no file was created that an interruption would have to remove.
     catchInterruption();
     OutputFiles files;
     files.protect(task_.in);
@@ -128,28 +128,28 @@ class BagSegmentation {
     return true;
   }
 
-  // In the order of the images, which the ids depend on.
+  // Called in the order of the images, on which the ids depend.
   void write(Slot& slot) {
     DepthTopic& topic = *slot.frame.topic;
     FrameSegmenter& segmenter = slot.segmenter;
     const Validation& input = segmenter.input();
     PlaneLocator& locator = locatorOf(topic);
-    CameraPlaces places;
+    CameraPoses poses;
     if (!input.accepted()) {
       refuse(topic, segmenter.explanation(slot.frame.messages));
-    } else if (places = findPlaces(slot.frame, locator, segmenter.header()); !places.target.found()) {
-      refuse(topic, "planes cannot be given in target_frame: " + places.target.problem);
+    } else if (poses = lookUpPoses(slot.frame, locator, segmenter.header()); !poses.target.found()) {
+      refuse(topic, "planes cannot be given in target_frame: " + poses.target.problem);
     } else {
-      gravity_found_ = gravity_found_ || places.gravity.found();
-      fixed_found_ = fixed_found_ || places.fixed.found();
+      gravity_found_ = gravity_found_ || poses.gravity.found();
+      fixed_found_ = fixed_found_ || poses.fixed.found();
       const Segmentation& segmentation = segmenter.segmentation();
       writeMessages(slot,
-                    segmenter.result(locator.locate(segmentation, input.camera, segmenter.header(), places)));
+                    segmenter.result(locator.locate(segmentation, input.camera, segmenter.header(), poses)));
       ++topic.frames;
       topic.planes += segmentation.planes.size();
       ++done_;
     }
-    progress_.update(done_, in_->share());
+    progress_.update(done_, in_->fractionRead());
   }
 
   static void refuse(DepthTopic& topic, const std::string& reason) {
@@ -164,21 +164,21 @@ class BagSegmentation {
   }
 
   // The nodelet waits for late or first transforms; here the bag is read ahead instead.
-  CameraPlaces findPlaces(const BagFrame& frame, PlaneLocator& locator, const std_msgs::Header& header) {
+  CameraPoses lookUpPoses(const BagFrame& frame, PlaneLocator& locator, const std_msgs::Header& header) {
     constexpr std::size_t kMaxWaiting = 64;  // frames, however little the recording times advance
     const double latest = frame.time.toSec() + task_.location.frames.tf_patience;
-    CameraPlaces places = locator.lookUp(header);
-    const auto mayCome = [&places] {
-      return places.has(TransformLookup::Answer::kLate) || places.has(TransformLookup::Answer::kUnknown);
+    CameraPoses poses = locator.lookUp(header);
+    const auto mayBecomeAvailable = [&poses] {
+      return poses.has(TransformLookup::Status::kLate) || poses.has(TransformLookup::Status::kUnknown);
     };
-    while (mayCome() && read_until_.toSec() < latest && ready_.size() < kMaxWaiting && readOne()) {
-      places = locator.lookUp(header);
+    while (mayBecomeAvailable() && read_until_.toSec() < latest && ready_.size() < kMaxWaiting && readOne()) {
+      poses = locator.lookUp(header);
     }
-    locator.fallBack(header, places);
-    return places;
+    locator.fallBack(header, poses);
+    return poses;
   }
 
-  void writeMessages(const Slot& slot, const SegmentedFrame& result) {
+  void writeMessages(Slot& slot, const SegmentedFrame& result) {
     const BagFrame& frame = slot.frame;
     const std::string& name = frame.topic->result_namespace;
     const PlaneArray::Ptr planes = planesMessage(result);
@@ -188,13 +188,13 @@ class BagSegmentation {
     if (task_.cloud) out_->write(name + "/cloud", frame.time, *coloredCloud(result));
     if (task_.overlay) out_->write(name + "/overlay", frame.time, *overlayImage(result));
     if (task_.markers) {
-      robot_.start(result);
+      robot_.setFrame(result);
       const visualization_msgs::MarkerArray::Ptr markers = planeMarkers(result);
       robot_.addObjectMarkers(*markers);
       out_->write(name + "/markers", frame.time, *markers);
     }
     if (task_.scanlines) {
-      const FrameSegmenter& segmenter = slot.segmenter;
+      FrameSegmenter& segmenter = slot.segmenter;
       out_->write(name + "/scanlines", frame.time,
                   *scanlineMarkers(result, segmenter.lineSegments(), segmenter.candidates()));
     }
@@ -209,10 +209,10 @@ class BagSegmentation {
     if (topic.refused > 0) return text + topic.image + ": " + topic.refusal;
     return text + "none of the " + std::to_string(topic.images) + " images of " + topic.image +
            " has a camera_info" + (topic.info.empty() ? "" : " on " + topic.info) + "; " +
-           adviseOnInfos(topics_.infoTopics());
+           describeInfoOptions(topics_.infoTopics());
   }
 
-  // What was asked for in vain: a wrong name, most likely.
+  // Names the frame parameters that were never found, which are probably misspelt.
   std::string unknownFrames() const {
     const FrameParameters& frames = task_.location.frames;
     const std::string hint = "': its transforms lead there for no image; all else is done";
@@ -237,8 +237,8 @@ class BagSegmentation {
                   topic.frames, topic.planes);
       const std::size_t unpaired = topic.images - topic.frames - topic.refused;
       if (unpaired > 0) std::printf(", %zu images without camera_info", unpaired);
-      if (topic.guessed > 0)
-        std::printf(", %zu with the newest camera_info of %s", topic.guessed, topic.info.c_str());
+      if (topic.approximate > 0)
+        std::printf(", %zu with the newest camera_info of %s", topic.approximate, topic.info.c_str());
       if (topic.refused > 0) std::printf(", %zu refused: %s", topic.refused, topic.refusal.c_str());
       std::printf("\n");
     }

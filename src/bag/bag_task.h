@@ -16,8 +16,8 @@ namespace line_plane_segmentation {
 struct BagTask {
   std::filesystem::path in;
   std::filesystem::path out;
-  std::filesystem::path csv;  ///< file for the table of planes; empty: none
-  TopicChoice topics;         ///< the depth images, and where their intrinsics come from
+  std::filesystem::path csv;  ///< file of the table of planes; empty: none
+  TopicChoice topics;         ///< topics of the depth images and of their intrinsics
   InputLimits limits;
   Parameters parameters;
   LocationParameters location;
@@ -35,8 +35,9 @@ struct BagTask {
 
 /// Segments the depth images of a bag and writes the results to another bag, which appears complete or not
 /// at all. Prints a summary on stdout and the progress on stderr.
-/// @throws BadInput if nothing could be done, or, after writing `out`, if a part of `in` was unreadable or
-///         none of its transforms lead to a frame of the parameters
+/// @throws BadInput if no image was segmented; or, after `out` is written, if a part of `in` was unreadable
+/// or
+///         a frame of the parameters is not connected to the camera by any transform
 void segmentBag(const BagTask& task);
 
 }  // namespace line_plane_segmentation

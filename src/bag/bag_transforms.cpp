@@ -32,7 +32,8 @@ void BagTransforms::add(const BagMessage& message) {
   if (!wants(message.topic, message.content->getDataType())) return;
   for (const auto& transform : messageOf(*message.content).transforms) {
     const bool is_static = message.topic == kStatic;
-    if (!is_static && clock_.wentBack(transform.child_frame_id, transform.header.stamp)) buffer_.clear();
+    if (!is_static && jump_detector_.jumpedBack(transform.child_frame_id, transform.header.stamp))
+      buffer_.clear();
     buffer_.setTransform(transform, "bag", is_static);
   }
 }

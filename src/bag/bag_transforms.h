@@ -23,7 +23,7 @@ class BagTransforms {
 
  private:
   tf2::BufferCore buffer_;
-  ClockWatch clock_;
+  ClockJumpDetector jump_detector_;
 };
 
 }  // namespace line_plane_segmentation

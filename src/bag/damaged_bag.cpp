@@ -43,7 +43,7 @@ class DamagedBag : public BagInput {
     }
   }
 
-  double share() const override {
+  double fractionRead() const override {
     return size_ == 0 ? 1.0 : static_cast<double>(at_) / static_cast<double>(size_);
   }
   const std::map<std::string, std::string>& topics() const override { return topics_; }

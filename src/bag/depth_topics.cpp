@@ -17,7 +17,7 @@ namespace {
 constexpr char kImageType[] = "sensor_msgs/Image";
 constexpr char kCompressedType[] = "sensor_msgs/CompressedImage";
 constexpr char kInfoType[] = "sensor_msgs/CameraInfo";
-constexpr std::size_t kWaiting = 32;  // images: more than a second's
+constexpr std::size_t kWaiting = 32;  // images; more than one second of them
 
 // "/camera/depth" of "/camera/depth/image_raw", "" of "/image".
 std::string parentOf(const std::string& topic) {
@@ -25,7 +25,7 @@ std::string parentOf(const std::string& topic) {
   return slash == std::string::npos ? std::string() : topic.substr(0, slash);
 }
 
-// A label image of this tool or of the nodelet: 16UC1 as well, but no depth.
+// Returns true for label images of this tool or of the nodelet, which are 16UC1, but not depth.
 bool isLabelsTopic(const std::string& topic) {
   const std::string end = "/plane_segmenter/labels";
   return topic.size() >= end.size() && topic.compare(topic.size() - end.size(), end.size(), end) == 0;
@@ -37,7 +37,7 @@ bool isDepthEncoding(const std::string& topic, const std::string& encoding) {
   return encoding == enc::MONO16 && boost::algorithm::to_lower_copy(topic).find("depth") != std::string::npos;
 }
 
-// The topic that an image topic stands for: of a compressed one, the raw one.
+// Returns the raw topic of a compressed one, and any other topic unchanged.
 std::string imageTopicOf(const std::string& topic, const std::string& datatype) {
   return datatype == kCompressedType ? rawTopicOf(topic) : topic;
 }
@@ -64,7 +64,7 @@ bool DepthTopics::wants(const std::string& topic, const std::string& datatype) c
   if (datatype == kImageType) return choice_.images.empty() || isNamed(topic);
   if (datatype != kCompressedType) return false;
   const std::string raw = rawTopicOf(topic);
-  // A bag with both has the same images twice.
+  // If a bag has both topics, the images are the same.
   return !raw.empty() && types_.count(raw) == 0 && (choice_.images.empty() || isNamed(raw) || isNamed(topic));
 }
 
@@ -112,7 +112,7 @@ void DepthTopics::addImage(const BagMessage& message, std::deque<BagFrame>& fram
                        static_cast<int>(depth.image->height)));
   } else {
     if (topic->info.empty() && findInfoTopic(*topic, *depth.image))
-      topic->matcher.retry(infosOf(*topic), whole);
+      topic->matcher.matchWaiting(infosOf(*topic), whole);
     topic->matcher.addImage(depth, infosOf(*topic), {}, whole);
   }
   append(*topic, whole, message.time, frames);
@@ -140,9 +140,9 @@ void DepthTopics::finish(std::deque<BagFrame>& frames) {
 
 void DepthTopics::append(DepthTopic& topic, InfoMatcher::Frames& whole, const ros::Time& time,
                          std::deque<BagFrame>& frames) {
-  for (CameraFrame& frame : whole) {
-    if (topic.matcher.hasFallenBack()) ++topic.guessed;
-    frame.is_raw = isRaw(choice_.rectify, topic.image);
+  for (InputFrame& frame : whole) {
+    if (topic.matcher.hasFallenBack()) ++topic.approximate;
+    frame.needs_rectification = needsRectification(choice_.rectify, topic.image);
     frames.push_back({&topic, std::move(frame), time});
   }
 }
@@ -165,7 +165,7 @@ DepthTopic* DepthTopics::findOrPick(const std::string& topic, const sensor_msgs:
   });
   if (taken) result_namespace = topic + "/plane_segmenter";
   topics_.push_back({topic, infoTopicFor(topic), result_namespace,
-                     InfoMatcher(choice_.matching, kWaiting, InfoMatcher::Patience::kFull)});
+                     InfoMatcher(choice_.matching, kWaiting, InfoMatcher::FallbackRule::kWhenFull)});
   return by_image_[topic] = &topics_.back();
 }
 
@@ -182,7 +182,7 @@ std::string DepthTopics::infoTopicFor(const std::string& image_topic) const {
   return {};
 }
 
-// Another name, but the same frame and size.
+// Searches a camera_info topic of any name with the image's frame and size.
 bool DepthTopics::findInfoTopic(DepthTopic& topic, const sensor_msgs::Image& image) const {
   if (image.header.frame_id.empty()) return false;
   for (const auto& [name, infos] : infos_) {

@@ -11,73 +11,73 @@
 #include <vector>
 
 #include "bag_input.h"
-#include "camera_frame.h"
 #include "info_matcher.h"
+#include "input_frame.h"
 #include "line_plane_segmentation/camera_intrinsics.h"
-#include "rectify.h"
+#include "rectification_mode.h"
 
 namespace line_plane_segmentation {
 
-/// Which topics of a bag are depth images, and where their intrinsics come from.
+/// Selection of the depth image topics of a bag and of the source of their intrinsics.
 struct TopicChoice {
-  std::vector<std::string> images;  ///< the topics to take; empty: all that are known to hold depth
+  std::vector<std::string> images;  ///< selected topics; empty: all topics that are known to hold depth
   std::vector<std::string>
-      infos;  ///< their camera_info: one for all, or one for each of `images`; empty: found
-  std::optional<CameraIntrinsics> camera;  ///< in the place of any camera_info
+      infos;  ///< camera_info topics: one for all, or one per element of `images`; empty: automatic
+  std::optional<CameraIntrinsics> camera;  ///< intrinsics to use instead of camera_info
   InfoMatching matching = InfoMatching::kAuto;
-  Rectify rectify = Rectify::kAuto;
+  RectificationMode rectify = RectificationMode::kAuto;
 };
 
 /// A depth image topic of a bag, with statistics of its images.
 struct DepthTopic {
-  std::string image;             ///< without the ending of a compressed one
-  std::string info;              ///< its camera_info; empty while none is known
+  std::string image;             ///< topic without the suffix of a compressed one
+  std::string info;              ///< topic of its camera_info; empty while unknown
   std::string result_namespace;  ///< namespace of its results, such as "/camera/plane_segmenter"
   InfoMatcher matcher;
   std::size_t images = 0;
-  std::size_t frames = 0;    ///< number of segmented frames
-  std::size_t guessed = 0;   ///< frames that went with another camera_info than that of their stamp
-  std::size_t planes = 0;    ///< total over all frames
-  std::size_t refused = 0;   ///< number of frames refused, by the nodelet's rules
-  std::string refusal = {};  ///< reason for the last one
+  std::size_t frames = 0;       ///< number of segmented frames
+  std::size_t approximate = 0;  ///< number of frames paired with a camera_info of another timestamp
+  std::size_t planes = 0;       ///< total over all frames
+  std::size_t refused = 0;      ///< number of frames refused, by the nodelet's rules
+  std::string refusal = {};     ///< reason for the last one
 };
 
 /// A frame of a bag.
 struct BagFrame {
   DepthTopic* topic = nullptr;
-  CameraFrame messages;
-  ros::Time time;  ///< when it was whole: the recording time of the message that made it so
+  InputFrame messages;
+  ros::Time time;  ///< recording time of the message that completed it
 };
 
 /// Selects the depth topics of a bag and pairs their images with camera_info, like the nodelet.
 ///
-/// Without named topics these are depth: 16UC1 and 32FC1 images, plain or compressed, and mono16 images whose
-/// topic says "depth"; infrared images are mono16, too. Label images of a segmenter are not.
+/// If no topics are selected, these are depth images: 16UC1 and 32FC1, plain or compressed, and mono16 if the
+/// topic contains "depth", because infrared images are mono16, too. Label images of a segmenter are excluded.
 class DepthTopics {
  public:
   explicit DepthTopics(TopicChoice choice) : choice_(std::move(choice)) {}
 
-  /// Tells what the bag holds, as far as that is known before it is read.
+  /// Sets the topics of the bag, as far as they are known before reading.
   /// @param types  data types by topic
   void setBagTopics(const std::map<std::string, std::string>& types) { types_ = types; }
 
-  /// Returns whether messages of this kind are of use to add().
+  /// Returns true if add() uses messages of this topic and type.
   bool wants(const std::string& topic, const std::string& datatype) const;
 
   /// Adds a message, and appends the frames that it completes.
   /// @throws std::exception if it cannot be deserialised
   void add(const BagMessage& message, std::deque<BagFrame>& frames);
 
-  /// At the end of the bag: appends the frames that still can be made.
+  /// Ends the input: appends the remaining frames that can be paired.
   void finish(std::deque<BagFrame>& frames);
 
-  /// Topics found so far, in order of their first message.
+  /// Returns the topics found so far, in the order of their first message.
   const std::list<DepthTopic>& all() const { return topics_; }
 
-  /// The image topics that were left out, with their encodings: {"/camera/rgb/image_raw", "rgb8"}.
+  /// Returns the image topics that are not depth, with their encodings: {"/camera/rgb/image_raw", "rgb8"}.
   const std::map<std::string, std::string>& others() const { return others_; }
 
-  /// The topics that camera_infos came on.
+  /// Returns the topics of all camera_info messages read so far.
   std::vector<std::string> infoTopics() const;
 
  private:
@@ -95,7 +95,7 @@ class DepthTopics {
   std::map<std::string, std::string> types_;
   std::list<DepthTopic> topics_;                 // a list, since frames hold pointers to its elements
   std::map<std::string, DepthTopic*> by_image_;  // null: not a depth topic
-  std::map<std::string, InfoHistory> infos_;     // by their topic
+  std::map<std::string, InfoHistory> infos_;     // by topic
   InfoHistory no_infos_;
   std::map<std::string, std::string> others_;
   ros::Time last_time_;
@@ -104,7 +104,7 @@ class DepthTopics {
 /// Returns the camera_info topic beside an image topic.
 std::string infoTopicOf(const std::string& image_topic);
 
-/// Returns where the nodelet's launch files put the planes of an image topic: beside the folder of the image,
+/// Returns the namespace that the launch files use for the results of an image topic:
 /// "/camera/plane_segmenter" for "/camera/depth/image_raw".
 std::string resultNamespaceOf(const std::string& image_topic);
 

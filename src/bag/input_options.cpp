@@ -44,7 +44,7 @@ bool setInputParameter(const std::string& name, const std::string& value, BagTas
       throw BadInput("'" + value + "' is no value for info_matching; there are exact, latest and auto");
     task.topics.matching = *matching;
   } else if (name == "rectify") {
-    const std::optional<Rectify> rectify = rectifyOf(value);
+    const std::optional<RectificationMode> rectify = rectificationModeOf(value);
     if (!rectify) throw BadInput("'" + value + "' is no value for rectify; there are auto, true and false");
     task.topics.rectify = *rectify;
   } else {

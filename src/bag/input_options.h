@@ -7,13 +7,12 @@
 
 namespace line_plane_segmentation {
 
-/// Sets one of the parameters that the nodelet has at its start only: depth_unit, info_matching, max_pixels,
-/// rectify.
-/// @return false if there is none of this name
-/// @throws BadInput if the value is not one for it
+/// Sets a start parameter of the nodelet: depth_unit, info_matching, max_pixels or rectify.
+/// @return false if there is no such parameter
+/// @throws BadInput if the value is invalid
 bool setInputParameter(const std::string& name, const std::string& value, BagTask& task);
 
-/// Returns these parameters, for --help.
+/// Returns the list of these parameters for --help.
 std::string inputParameterList();
 
 }  // namespace line_plane_segmentation

@@ -10,13 +10,14 @@
 
 namespace line_plane_segmentation {
 
-/// CSV table with one row per plane: the values of its message, and the topic of its image.
+/// CSV table with one row per plane: topic of the image and values of the plane's message.
 class PlanesCsv {
  public:
-  /// Adds the table to these files.
-  /// @throws BadInput if it cannot be written
+  /// Adds the table with its header to `files`, which must outlive this object.
+  /// @throws BadInput if the file cannot be written
   PlanesCsv(OutputFiles& files, const std::filesystem::path& file);
 
+  /// Appends the planes of an image.
   /// @throws BadInput if the table cannot be written
   void add(const std::string& topic, const PlaneArray& planes);
 

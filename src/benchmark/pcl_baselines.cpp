@@ -66,8 +66,7 @@ std::vector<std::uint16_t> labelsOfOrganised(const BenchmarkFrame& frame,
                                              const std::vector<pcl::PointIndices>& planes) {
   std::vector<std::uint16_t> labels(frame.depth.size(), 0);
   for (std::size_t k = 0; k < planes.size(); ++k) {
-    for (const auto index : planes[k].indices)
-      labels[static_cast<std::size_t>(index)] = static_cast<std::uint16_t>(k + 1);
+    for (const auto index : planes[k].indices) labels[index] = static_cast<std::uint16_t>(k + 1);
   }
   return labels;
 }
@@ -81,7 +80,7 @@ std::vector<std::uint16_t> labelsOfValid(const BenchmarkFrame& frame,
   std::vector<std::uint16_t> labels(frame.depth.size(), 0);
   for (std::size_t k = 0; k < planes.size(); ++k) {
     for (const auto index : planes[k].indices) {
-      labels[pixels[static_cast<std::size_t>(index)]] = static_cast<std::uint16_t>(k + 1);
+      labels[pixels[index]] = static_cast<std::uint16_t>(k + 1);
     }
   }
   return labels;
@@ -91,8 +90,8 @@ int pixelsAt(const BenchmarkFrame& frame, int at_vga, int at_qvga) {
   const double pixels = static_cast<double>(frame.width) * frame.height;
   if (pixels <= kQvgaPixels) return static_cast<int>(std::lround(at_qvga * pixels / kQvgaPixels));
   if (pixels >= kVgaPixels) return static_cast<int>(std::lround(at_vga * pixels / kVgaPixels));
-  const double share = (pixels - kQvgaPixels) / (kVgaPixels - kQvgaPixels);
-  return static_cast<int>(std::lround(at_qvga + share * (at_vga - at_qvga)));
+  const double fraction = (pixels - kQvgaPixels) / (kVgaPixels - kQvgaPixels);
+  return static_cast<int>(std::lround(at_qvga + fraction * (at_vga - at_qvga)));
 }
 
 }  // namespace line_plane_segmentation

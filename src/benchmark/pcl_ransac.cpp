@@ -59,11 +59,11 @@ class Ransac : public Engine {
 
   pcl::IndicesPtr without(const std::vector<int>& all, const std::vector<int>& taken) const {
     std::vector<bool> is_taken(cloud_->size(), false);
-    for (const int index : taken) is_taken[static_cast<std::size_t>(index)] = true;
+    for (const int index : taken) is_taken[index] = true;
     pcl::IndicesPtr left(new std::vector<int>);
     left->reserve(all.size());
     for (const int index : all) {
-      if (!is_taken[static_cast<std::size_t>(index)]) left->push_back(index);
+      if (!is_taken[index]) left->push_back(index);
     }
     return left;
   }

@@ -14,16 +14,16 @@
 
 namespace line_plane_segmentation {
 
-/// Which plane of a message is converted.
+/// Selection of a plane of a message.
 struct PlaneChoice {
-  std::uint32_t id = 0;                     ///< this one only; 0 = the largest
+  std::uint32_t id = 0;                     ///< only the plane with this id; 0 = the largest plane
   std::optional<std::uint8_t> orientation;  ///< only planes of this Plane::orientation
 };
 
-/// The value of Plane::orientation with this name: "horizontal_up" and so on. Empty if there is none.
+/// Returns the value of Plane::orientation with this name, such as "horizontal_up"; empty if there is none.
 std::optional<std::uint8_t> orientationNamed(const std::string& name);
 
-/// @return the chosen plane, null if the message has none
+/// Returns the selected plane; null if the message has none.
 const Plane* choosePlane(const PlaneArray& planes, const PlaneChoice& choice);
 
 /// Each message has the header of `planes`. Without a plane (null) it is empty.
@@ -31,15 +31,15 @@ const Plane* choosePlane(const PlaneArray& planes, const PlaneChoice& choice);
 /// nx, ny, nz, d, as PCL's SACMODEL_PLANE has them.
 pcl_msgs::ModelCoefficients::Ptr modelCoefficients(const PlaneArray& planes, const Plane* plane);
 
-/// Indices of the plane's points in an organised cloud of the same image.
+/// Returns the indices of the plane's points in an organised cloud of the same image.
 /// @param labels  16UC1, of the same image. An image that is malformed gives no indices
 pcl_msgs::PointIndices::Ptr pointIndices(const PlaneArray& planes, const Plane* plane,
                                          const sensor_msgs::Image& labels);
 
-/// The outline of the plane's largest part, without holes.
+/// Returns the outline of the plane's largest part, without holes.
 geometry_msgs::PolygonStamped::Ptr polygon(const PlaneArray& planes, const Plane* plane);
 
-/// For rviz: a DELETEALL, the outline and the normal.
+/// Returns markers for rviz: a DELETEALL, the outline and the normal.
 visualization_msgs::MarkerArray::Ptr choiceMarkers(const PlaneArray& planes, const Plane* plane);
 
 }  // namespace line_plane_segmentation

@@ -7,11 +7,11 @@
 
 namespace line_plane_segmentation {
 
-/// The outline of each plane, with its id as the label. Only compiled where jsk_recognition_msgs is
+/// Returns the outline of each plane, with its id as the label. Compiled only if jsk_recognition_msgs is
 /// installed.
 jsk_recognition_msgs::PolygonArray::Ptr jskPolygons(const PlaneArray& planes);
 
-/// The coefficients of each plane, in the order of the polygons.
+/// Returns the coefficients of each plane, in the order of the polygons.
 jsk_recognition_msgs::ModelCoefficientsArray::Ptr jskCoefficients(const PlaneArray& planes);
 
 }  // namespace line_plane_segmentation

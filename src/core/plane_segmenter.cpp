@@ -119,12 +119,12 @@ void PlaneSegmenter::setParameters(const Parameters& parameters) {
 
 const Parameters& PlaneSegmenter::parameters() const { return stages_->parameters; }
 
-const std::vector<LineSegment>& PlaneSegmenter::lineSegments() const {
+const std::vector<LineSegment>& PlaneSegmenter::lineSegments() {
   stages_->describe();
   return stages_->segments;
 }
 
-const std::vector<PlaneCandidate>& PlaneSegmenter::candidates() const {
+const std::vector<PlaneCandidate>& PlaneSegmenter::candidates() {
   stages_->describe();
   return stages_->candidates;
 }

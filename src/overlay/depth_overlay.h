@@ -9,18 +9,18 @@
 
 namespace line_plane_segmentation {
 
-/// How the pixels of a label are coloured.
+/// Colour of the pixels of a label.
 struct LabelTint {
   bool tinted = false;  ///< false: the pixels stay grey
   Color color;
 };
 
 /// Draws a depth image in grey, 60 % of each label's colour over it. Grey falls with 1/z from white at 0.6 m,
-/// so that it does not depend on the rest of the image and does not flicker in a video. Pixels without depth
-/// are black.
-/// @param range   depths outside of it count as missing
+/// so that it is independent of the rest of the image and does not flicker in a video. Invalid pixels are
+/// black.
+/// @param range   depths outside of it are invalid
 /// @param labels  one per pixel, row by row; each less than the size of `tints`
-/// @param tints   by label; channels are written in the order in which a Color has them
+/// @param tints   by label; channels are written in the order of Color
 /// @param pixels  3 bytes per pixel, row by row
 void drawDepthOverlay(const DepthView& depth, const DepthRange& range, const std::uint16_t* labels,
                       const std::vector<LabelTint>& tints, std::uint8_t* pixels);

@@ -29,7 +29,7 @@ py::array depthArrayOf(const py::object& depth) {
     throw py::type_error("depth must be a numpy array, not " +
                          py::str(py::type::of(depth).attr("__name__")).cast<std::string>());
   }
-  // Only masked arrays have both; numpy.ma need not be imported to find out.
+  // Only masked arrays have both attributes; this avoids importing numpy.ma.
   if (py::hasattr(depth, "mask") && py::hasattr(depth, "filled")) return depth.attr("filled")(0);
   return py::reinterpret_borrow<py::array>(depth);
 }

@@ -7,9 +7,9 @@
 
 namespace line_plane_segmentation {
 
-/// Returns the C++ object of a Python object. An object that was made with __new__ alone has none: pybind11
-/// would allocate it and not construct it.
-/// @throws pybind11::type_error if it has none, or belongs to another class
+/// Returns the C++ object of a Python object. An object created by __new__ alone has none: pybind11 would
+/// allocate it without constructing it.
+/// @throws pybind11::type_error if the object has none, or is of another class
 template <typename Class>
 Class& initialised(const pybind11::object& self) {
   const bool is_one = pybind11::isinstance<Class>(self);

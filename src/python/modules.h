@@ -5,7 +5,7 @@
 
 namespace line_plane_segmentation {
 
-/// Add their class to the Python module.
+/// Each function adds its class to the Python module.
 void definePlane(pybind11::module& module);
 void defineSegmentation(pybind11::module& module);
 void defineSegmenter(pybind11::module& module);

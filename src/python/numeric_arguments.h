@@ -8,18 +8,18 @@
 
 namespace line_plane_segmentation {
 
-/// The intrinsics from (fx, fy, cx, cy) or a 3x3 camera matrix, as any sequence or array of numbers [px].
-/// @throws pybind11::type_error if `camera` is neither of them
-/// @throws pybind11::value_error if no pinhole camera without skew has these numbers
+/// Reads intrinsics [px] from (fx, fy, cx, cy) or a 3x3 camera matrix: any sequence or array of numbers.
+/// @throws pybind11::type_error if `camera` has another form
+/// @throws pybind11::value_error if these are not the intrinsics of a pinhole camera without skew
 CameraIntrinsics intrinsicsOf(const pybind11::object& camera);
 
-/// The rigid motion of a 4x4 matrix, or of its upper three rows.
-/// @param name  of the argument, for the messages
-/// @throws pybind11::value_error if it is not a rotation and a translation
+/// Reads a rigid transform from a 4x4 matrix, or from its upper three rows.
+/// @param name  name of the argument, for error messages
+/// @throws pybind11::value_error if the matrix is not a rotation and a translation
 RigidTransform rigidTransformOf(const pybind11::object& matrix, const char* name);
 
-/// A direction of three numbers, brought to length 1.
-/// @throws pybind11::value_error if it has no direction
+/// Reads a vector of three numbers and normalises it.
+/// @throws pybind11::value_error if its length is 0 or not finite
 Eigen::Vector3d directionOf(const pybind11::object& vector, const char* name);
 
 }  // namespace line_plane_segmentation

@@ -23,7 +23,8 @@ namespace {
 
 namespace py = pybind11;
 
-/// The segmenter behind Python's class. Other Python threads go on while it works; those that share it wait.
+/// Implementation of Python's class. segment() releases the interpreter lock; threads that use the same
+/// object wait for each other.
 class PythonSegmenter {
  public:
   PythonSegmenter(const std::string& preset, const py::kwargs& parameters) {
@@ -65,9 +66,14 @@ class PythonSegmenter {
     return toPython(segmentWithoutPython(view, intrinsics), array.shape(0), array.shape(1));
   }
 
-  py::array lineSegments() const {
+  py::array lineSegments() {
     const Lock lock = waitForOthers();
     return lineSegmentArray(segmenter_.lineSegments());
+  }
+
+  py::array candidates() {
+    const Lock lock = waitForOthers();
+    return candidateArray(segmenter_.candidates());
   }
 
   py::dict milliseconds() const {
@@ -84,15 +90,14 @@ class PythonSegmenter {
  private:
   using Lock = std::unique_lock<std::mutex>;
 
-  // Who waits for another thread here must not hold Python's own lock: the other one needs it to come to its
-  // end.
+  // The interpreter lock is released while waiting, because the thread that holds mutex_ needs it to finish.
   Lock waitForOthers() const {
-    const py::gil_scoped_release let_others_go_on;
+    const py::gil_scoped_release release;
     return Lock(mutex_);
   }
 
   const Segmentation& segmentWithoutPython(const DepthView& view, const CameraIntrinsics& camera) {
-    const py::gil_scoped_release let_others_go_on;
+    const py::gil_scoped_release release;
     return segmenter_.segment(view, camera, &clock_);
   }
 
@@ -142,7 +147,13 @@ void defineSegmenter(py::module& module) {
           "along a column), scanline [px] (which row or column), first and last [px], points, alpha [rad] "
           "and r [m] (s cos(alpha) + t sin(alpha) = r in the plane of camera and scanline: t is a point's "
           "coordinate along the scanline, s its distance from the camera across it), covariance (2, 2) of "
-          "(alpha, r)");
+          "(alpha, r)")
+      .def_property_readonly(
+          "candidates", initialised(&PythonSegmenter::candidates),
+          "structured array (n,): the plane candidates of the last image, before extraction. Fields: u and v "
+          "[px] (column and row of the pixel), normal (3,) (unit, towards the camera) and d [m] (normal . p "
+          "+ "
+          "d = 0), curvature (smallest eigenvalue over the sum of all three, 0 to 1/3)");
 }
 
 }  // namespace line_plane_segmentation

@@ -69,23 +69,18 @@ PythonSegmentation segmentationOf(const py::tuple& state) {
           state[2].cast<std::uint32_t>(), state[3].cast<std::uint32_t>()};
 }
 
-}  // namespace
-
-void definePlane(py::module& module) {
-  py::class_<PythonPlane>(
-      module, "Plane",
-      "A plane: all points p with normal . p + d = 0, in the camera's optical frame (x right, y "
-      "down, z ahead), in metres. Can be pickled.")
+void defineProperties(py::class_<PythonPlane>& plane) {
+  plane
       .def_property_readonly(
           "label", [](const PythonPlane& p) { return p.plane.label; },
           "int: the value of its pixels in Segmentation.labels, from 1, the largest plane first")
       .def_property_readonly(
           "normal", [](const PythonPlane& p) { return arrayOf(p.plane.normal); },
-          "float64 array (3,): unit, toward the camera")
+          "float64 array (3,): unit normal, towards the camera")
       .def_property_readonly(
           "d", [](const PythonPlane& p) { return p.plane.d; },
-          "float [m]: distance to the camera, not negative; after transformed(), to that frame's origin, "
-          "signed")
+          "float [m]: distance to the camera, at least 0; after transformed(), signed distance to that "
+          "frame's origin")
       .def_property_readonly(
           "covariance", [](const PythonPlane& p) { return arrayOf(p.plane.covariance); },
           "float64 array (4, 4): of (normal, d)")
@@ -93,19 +88,30 @@ void definePlane(py::module& module) {
           "centroid", [](const PythonPlane& p) { return arrayOf(p.plane.centroid); },
           "float64 array (3,) [m]: mean of its points")
       .def_property_readonly(
-          "inliers", [](const PythonPlane& p) { return p.plane.inliers; }, "int [px]: its pixels")
+          "inliers", [](const PythonPlane& p) { return p.plane.inliers; }, "int [px]: number of its pixels")
       .def_property_readonly(
           "rms", [](const PythonPlane& p) { return p.plane.rms; },
-          "float [m]: root mean square distance of its points to it")
+          "float [m]: root mean square orthogonal distance of its points")
       .def_property_readonly(
           "area", [](const PythonPlane& p) { return p.plane.area; },
-          "float [m^2]: visible surface, holes left out")
+          "float [m^2]: area of the visible surface, without holes")
       .def_readonly(
           "outlines", &PythonPlane::outer_rings,
           "list of float32 arrays (n, 3) [m]: the borders of its parts, the largest first, counterclockwise "
           "as the camera sees them; empty if trace_outlines is off")
       .def_readonly("holes", &PythonPlane::holes,
-                    "list of float32 arrays (n, 3) [m]: the borders of the holes in its parts, clockwise")
+                    "list of float32 arrays (n, 3) [m]: the borders of the holes in its parts, clockwise");
+}
+
+}  // namespace
+
+void definePlane(py::module& module) {
+  py::class_<PythonPlane> plane(
+      module, "Plane",
+      "A plane: all points p with normal . p + d = 0, in the camera's optical frame (x right, y "
+      "down, z forward), in metres. Can be pickled.");
+  defineProperties(plane);
+  plane
       .def(
           "transformed",
           [](const PythonPlane& p, const py::object& pose) {
@@ -120,14 +126,14 @@ void definePlane(py::module& module) {
           "camera's "
           "pose there.\n\n"
           "Raises ValueError if pose is not a rotation and a translation.")
-      .def(
-          "orientation", &orientationName, py::arg("up"), py::arg("tolerance") = kRightAngle / 9.0,
-          "orientation(up, tolerance=0.1745) -> str\n\n"
-          "How the plane lies: 'horizontal_up' (a floor, a table), 'horizontal_down' (a ceiling), 'vertical' "
-          "(a wall) or 'slanted'.\n\n"
-          "up: three numbers, the direction against gravity in the plane's frame, of any length.\n"
-          "tolerance: [rad] from 0 to pi / 4, deviation of a horizontal or vertical plane.\n\n"
-          "Raises ValueError if up or tolerance cannot be.")
+      .def("orientation", &orientationName, py::arg("up"), py::arg("tolerance") = kRightAngle / 9.0,
+           "orientation(up, tolerance=0.1745) -> str\n\n"
+           "Orientation relative to gravity: 'horizontal_up' (a floor, a table), 'horizontal_down' (a "
+           "ceiling), 'vertical' "
+           "(a wall) or 'slanted'.\n\n"
+           "up: three numbers, the direction against gravity in the plane's frame, of any length.\n"
+           "tolerance: [rad] from 0 to pi / 4, deviation of a horizontal or vertical plane.\n\n"
+           "Raises ValueError if up is zero or not finite, or tolerance is out of its range.")
       .def("__repr__", &describe)
       .def(py::pickle(&stateOf, &planeOf));
 }

@@ -11,11 +11,11 @@ namespace {
 namespace py = pybind11;
 
 py::array_t<float> arrayOfRing(const Segmentation& segmentation, int index) {
-  const Ring& ring = segmentation.rings[static_cast<std::size_t>(index)];
+  const Ring& ring = segmentation.rings[index];
   py::array_t<float> array({static_cast<py::ssize_t>(ring.vertex_count), py::ssize_t{3}});
   float* number = array.mutable_data();
   for (int i = 0; i < ring.vertex_count; ++i) {
-    const Eigen::Vector3f& vertex = segmentation.vertices[static_cast<std::size_t>(ring.first_vertex + i)];
+    const Eigen::Vector3f& vertex = segmentation.vertices[ring.first_vertex + i];
     number = std::copy_n(vertex.data(), 3, number);
   }
   return array;
@@ -36,12 +36,19 @@ std::vector<py::array_t<float>> transformedRings(const std::vector<py::array_t<f
   return result;
 }
 
-/// A row of the structured array.
+/// Row of the array of line segments.
 struct LineRow {
   std::uint8_t direction;
   std::int32_t scanline, first, last, points;
   double alpha, r;
   double covariance[2][2];
+};
+
+/// Row of the array of plane candidates.
+struct CandidateRow {
+  std::int32_t u, v;
+  double normal[3];
+  double d, curvature;
 };
 
 }  // namespace
@@ -80,8 +87,8 @@ PythonPlane transformed(const PythonPlane& plane, const RigidTransform& transfor
 }
 
 py::array lineSegmentArray(const std::vector<LineSegment>& segments) {
-  // numpy may be told of it once only.
-  [[maybe_unused]] static const bool registered = [] {
+  // numpy accepts the registration of a type once only.
+  [[maybe_unused]] static const bool kRegistered = [] {
     PYBIND11_NUMPY_DTYPE(LineRow, direction, scanline, first, last, points, alpha, r, covariance);
     return true;
   }();
@@ -96,6 +103,19 @@ py::array lineSegmentArray(const std::vector<LineSegment>& segments) {
               s.alpha,
               s.r,
               {{s.covariance(0, 0), s.covariance(0, 1)}, {s.covariance(1, 0), s.covariance(1, 1)}}};
+  }
+  return std::move(rows);
+}
+
+py::array candidateArray(const std::vector<PlaneCandidate>& candidates) {
+  [[maybe_unused]] static const bool kRegistered = [] {
+    PYBIND11_NUMPY_DTYPE(CandidateRow, u, v, normal, d, curvature);
+    return true;
+  }();
+  py::array_t<CandidateRow> rows(static_cast<py::ssize_t>(candidates.size()));
+  CandidateRow* row = rows.mutable_data();
+  for (const PlaneCandidate& c : candidates) {
+    *row++ = {c.u, c.v, {c.normal.x(), c.normal.y(), c.normal.z()}, c.d, c.curvature};
   }
   return std::move(rows);
 }

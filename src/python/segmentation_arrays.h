@@ -6,18 +6,19 @@
 #include <vector>
 
 #include "line_plane_segmentation/line_segment.h"
+#include "line_plane_segmentation/plane_candidate.h"
 #include "line_plane_segmentation/segmentation.h"
 
 namespace line_plane_segmentation {
 
-/// A plane as Python sees it: with its outline, and independent of the segmentation that it is of.
+/// Plane of the Python module, with a copy of its outline, independent of the segmentation.
 struct PythonPlane {
   SegmentedPlane plane;
   std::vector<pybind11::array_t<float>> outer_rings;  ///< each n x 3
   std::vector<pybind11::array_t<float>> holes;
 };
 
-/// What one depth image was cut into, as Python sees it.
+/// Segmentation of one depth image in the Python module, independent of the segmenter.
 struct PythonSegmentation {
   pybind11::array_t<std::uint16_t> labels;  ///< height x width
   std::vector<PythonPlane> planes;
@@ -25,23 +26,27 @@ struct PythonSegmentation {
   std::uint32_t assigned_pixels = 0;
 };
 
-/// Copies all of a segmentation.
-/// @param height, width  [px] of the depth image, which a segmentation of an empty one does not have
+/// Copies a segmentation.
+/// @param height, width  [px] size of the depth image, which the segmentation of an empty image does not
+/// store
 PythonSegmentation toPython(const Segmentation& segmentation, pybind11::ssize_t height,
                             pybind11::ssize_t width);
 
-/// Copies the parts of a segmentation that the tracker needs: labels and planes, without outlines.
+/// Converts the parts of a segmentation that the tracker uses: labels and planes, without outlines.
 Segmentation fromPython(const PythonSegmentation& segmentation);
 
-/// The plane, its covariance, centroid and rings in another frame.
+/// Transforms a plane with covariance, centroid and rings to another frame.
 /// @param transform  maps points of the optical frame to the other one
 PythonPlane transformed(const PythonPlane& plane, const RigidTransform& transform);
 
-/// A structured array with a row for each line segment: direction (0: along a row, 1: a column), scanline,
-/// first, last, points, alpha, r, covariance.
+/// Returns a structured array with a row per line segment: direction (0: along a row, 1: along a column),
+/// scanline, first, last, points, alpha, r, covariance.
 pybind11::array lineSegmentArray(const std::vector<LineSegment>& segments);
 
-/// An array of one or two dimensions with the numbers of an Eigen vector or matrix.
+/// Returns a structured array with a row per plane candidate: u, v, normal, d, curvature.
+pybind11::array candidateArray(const std::vector<PlaneCandidate>& candidates);
+
+/// Copies an Eigen vector or matrix to an array of one or two dimensions.
 template <typename Matrix>
 pybind11::array_t<double> arrayOf(const Matrix& matrix) {
   constexpr bool is_vector = Matrix::ColsAtCompileTime == 1;

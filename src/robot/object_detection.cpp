@@ -30,7 +30,7 @@ constexpr int kReferenceWidth = 640;
 }  // namespace
 
 struct ObjectDetector::Scratch {
-  // What supports each pixel: 0 = nothing, k = supports[k - 1], negative if the pixel is above the height
+  // Support per pixel: 0 = none, k = supports[k - 1], negative if the pixel is above the height
   // limit.
   std::vector<std::int16_t> support_of;
   std::vector<Eigen::Vector3f> points;  // in the optical frame
@@ -120,7 +120,7 @@ void ObjectDetector::Scratch::flood(int seed, int width, int height, Take&& take
 
 // Collects the pixels that have the label of `seed` and are connected with it.
 void ObjectDetector::Scratch::collectPlane(int seed, const Segmentation& segmentation) {
-  const std::uint16_t label = segmentation.labels[static_cast<std::size_t>(seed)];
+  const std::uint16_t label = segmentation.labels[seed];
   flood(seed, segmentation.width, segmentation.height, [&](std::size_t pixel, std::size_t) {
     if (visited[pixel] != 0 || segmentation.labels[pixel] != label) return false;
     visited[pixel] = 1;
@@ -135,12 +135,11 @@ void ObjectDetector::Scratch::dropBackground(const Segmentation& segmentation) {
   for (std::size_t i = 0; i < support_of.size(); ++i) {
     if (support_of[i] == 0 || segmentation.labels[i] == 0 || visited[i] != 0) continue;
     collectPlane(static_cast<int>(i), segmentation);
-    const auto standing = std::count_if(component.begin(), component.end(), [&](int pixel) {
-      return support_of[static_cast<std::size_t>(pixel)] > 0;
-    });
+    const auto standing =
+        std::count_if(component.begin(), component.end(), [&](int pixel) { return support_of[pixel] > 0; });
     if (static_cast<double>(standing) >= kMinStandingFraction * static_cast<double>(component.size()))
       continue;
-    for (const int pixel : component) support_of[static_cast<std::size_t>(pixel)] = 0;
+    for (const int pixel : component) support_of[pixel] = 0;
   }
 }
 
@@ -148,7 +147,7 @@ void ObjectDetector::Scratch::dropBackground(const Segmentation& segmentation) {
 // Returns the fraction of them that is above the height limit.
 double ObjectDetector::Scratch::collect(int seed, int width, int height, const ObjectParameters& parameters,
                                         const NoiseParameters& noise) {
-  const int support = std::abs(support_of[static_cast<std::size_t>(seed)]);
+  const int support = std::abs(support_of[seed]);
   int tall = 0;
   flood(seed, width, height, [&](std::size_t pixel, std::size_t from) {
     std::int16_t& code = support_of[pixel];
@@ -172,7 +171,7 @@ DetectedObject ObjectDetector::Scratch::describe(const SupportPlane& support, in
   heights.clear();
   int left = width, right = 0, top = component.front() / width, bottom = 0;
   for (const int pixel : component) {
-    const Eigen::Vector3f& point = points[static_cast<std::size_t>(pixel)];
+    const Eigen::Vector3f& point = points[pixel];
     const Eigen::Vector3f local = support.plane_from_optical * point;
     object.centroid += point.cast<double>();
     footprint.emplace_back(local.x(), local.y());

@@ -12,15 +12,15 @@
 
 namespace line_plane_segmentation {
 
-/// A plane on which objects may stand, with coordinates of its own: (x, y) in the plane, height along the
+/// Plane that can support objects, with a coordinate system: x and y in the plane, z (height) along the
 /// normal.
 struct SupportPlane {
-  std::size_t index = 0;  ///< in Segmentation::planes
+  std::size_t index = 0;  ///< index in Segmentation::planes
   std::uint16_t label = 0;
   Eigen::Isometry3f plane_from_optical = Eigen::Isometry3f::Identity();
   std::vector<cv::Point2f> hull;  ///< [m] convex hull of its visible part
 
-  /// True if the point lies above or below the hull.
+  /// Returns true if the orthogonal projection of a point (x, y) [m] is inside the hull.
   bool covers(float x, float y) const;
 };
 

@@ -10,17 +10,17 @@
 #include <vector>
 
 #include "compressed_depth.h"
-#include "contain_exceptions.h"
+#include "log_exceptions.h"
 
 namespace line_plane_segmentation {
 namespace {
 
 constexpr char kCompressedDepth[] = "compressedDepth";
-// Images may lag so far behind their camera_info, as over a slow link, where only they are held up.
+// Largest delay of images relative to their camera_info, for example over a slow network.
 constexpr std::chrono::seconds kInfoSpan(10);
 constexpr unsigned kInfoQueue = 1000;
 
-// The camera_info beside the image, unless it is remapped: as depth/camera_info, or under its own name.
+// Returns the camera_info topic beside the image topic, unless depth/camera_info or that topic is remapped.
 std::string infoTopicFor(const ros::NodeHandle& nh, const std::string& image_topic) {
   const std::string own_name = "depth/camera_info";
   const std::string remapped = nh.resolveName(own_name);
@@ -33,7 +33,7 @@ bool hasPlugin(const image_transport::ImageTransport& transport, const std::stri
   return std::find(loadable.begin(), loadable.end(), "image_transport/" + name) != loadable.end();
 }
 
-// What else carries camera_info, for somebody who has to choose: " (there is /a, /b)".
+// Lists the other camera_info topics for a warning: " (there is /a, /b)".
 std::string otherInfoTopics(const std::string& but) {
   ros::master::V_TopicInfo topics;
   if (!ros::master::getTopics(topics)) return {};
@@ -60,18 +60,18 @@ CameraSubscription::CameraSubscription(const std::string& name, const ros::NodeH
       matcher_(parameters.info_matching, queue_size_) {
   topics_.image = nh.resolveName("depth/image_rect");
   topics_.info = infoTopicFor(nh, topics_.image);
-  is_raw_ = isRaw(parameters.rectify, topics_.image);
+  needs_rectification_ = needsRectification(parameters.rectify, topics_.image);
 }
 
 void CameraSubscription::subscribe() {
   if (subscribed()) return;
   times_.subscribed = std::chrono::steady_clock::now();
-  unanswered_since_ = {};
+  unmatched_since_ = {};
   info_subscriber_ = nh_.subscribe(topics_.info, kInfoQueue, &CameraSubscription::onInfo, this,
                                    ros::TransportHints().tcpNoDelay());
   subscribeImages();
   timer_ = nh_.createWallTimer(ros::WallDuration(0.25), [this](const ros::WallTimerEvent&) {
-    containExceptions(name_, [this] { onTimer(); });
+    logExceptions(name_, [this] { onTimer(); });
   });
 }
 
@@ -84,7 +84,7 @@ void CameraSubscription::subscribeImages() {
     return;
   }
   const auto on_image = [this](const sensor_msgs::ImageConstPtr& image) {
-    containExceptions(topics_.image, [&] { onImage({image}); });
+    logExceptions(topics_.image, [&] { onImage({image}); });
   };
   image_subscriber_ = transport_.subscribe(topics_.image, queue_size_, on_image, ros::VoidPtr(), hints);
 }
@@ -100,7 +100,7 @@ void CameraSubscription::unsubscribe() {
 }
 
 void CameraSubscription::onCompressed(const sensor_msgs::CompressedImageConstPtr& compressed) {
-  containExceptions(topics_.image, [&] {
+  logExceptions(topics_.image, [&] {
     const sensor_msgs::ImageConstPtr image = describeCompressedDepth(*compressed);
     if (image) {
       onImage({image, compressed});
@@ -113,14 +113,14 @@ void CameraSubscription::onCompressed(const sensor_msgs::CompressedImageConstPtr
 
 void CameraSubscription::onImage(const DepthMessage& image) {
   times_.image = std::chrono::steady_clock::now();
-  if (unanswered_since_ == InputTimes::TimePoint{}) unanswered_since_ = times_.image;
+  if (unmatched_since_ == InputTimes::TimePoint{}) unmatched_since_ = times_.image;
   InfoMatcher::Frames frames;
   matcher_.addImage(image, infos_, times_.image, frames);
   deliver(frames);
 }
 
 void CameraSubscription::onInfo(const sensor_msgs::CameraInfoConstPtr& info) {
-  containExceptions(topics_.info, [&] {
+  logExceptions(topics_.info, [&] {
     times_.info = std::chrono::steady_clock::now();
     infos_.add(info, times_.info);
     InfoMatcher::Frames frames;
@@ -134,7 +134,7 @@ void CameraSubscription::onTimer() {
   InfoMatcher::Frames frames;
   matcher_.poll(infos_, now, frames);
   deliver(frames);
-  warnOfSilence(now);
+  warnAboutMissingInfo(now);
 }
 
 void CameraSubscription::deliver(InfoMatcher::Frames& frames) {
@@ -148,18 +148,18 @@ void CameraSubscription::deliver(InfoMatcher::Frames& frames) {
   }
   if (frames.empty()) return;
   times_.frame = std::chrono::steady_clock::now();
-  unanswered_since_ = {};
-  warned_of_silence_ = false;
-  for (CameraFrame& frame : frames) {
-    frame.is_raw = is_raw_;
+  unmatched_since_ = {};
+  warned_of_missing_info_ = false;
+  for (InputFrame& frame : frames) {
+    frame.needs_rectification = needs_rectification_;
     handler_(std::move(frame));
   }
 }
 
-void CameraSubscription::warnOfSilence(InputTimes::TimePoint now) {
+void CameraSubscription::warnAboutMissingInfo(InputTimes::TimePoint now) {
   constexpr std::chrono::seconds kPatience(3);
-  if (unanswered_since_ == InputTimes::TimePoint{} || now - unanswered_since_ < kPatience) return;
-  if (std::exchange(warned_of_silence_, true)) return;
+  if (unmatched_since_ == InputTimes::TimePoint{} || now - unmatched_since_ < kPatience) return;
+  if (std::exchange(warned_of_missing_info_, true)) return;
   const bool has_infos = now - times_.info < kPatience;
   ROS_WARN("[%s] images come on %s, but %s on %s%s: remap depth/camera_info to the right topic%s",
            name_.c_str(), topics_.image.c_str(),

@@ -14,11 +14,12 @@
 
 namespace line_plane_segmentation {
 
-/// The subscription of a depth image and its camera_info.
+/// Subscription of a depth image and its camera_info, which are paired by InfoMatcher.
 class CameraSubscription : public InputSource {
  public:
-  /// Does not subscribe yet.
-  /// @param name  of the nodelet, for the log
+  /// Resolves the topics; subscribe() starts the subscription.
+  /// @param name     name of the nodelet, for the log
+  /// @param handler  called with each pair
   CameraSubscription(const std::string& name, const ros::NodeHandle& nh, const ros::NodeHandle& private_nh,
                      const StartParameters& parameters, Handler handler);
 
@@ -34,7 +35,7 @@ class CameraSubscription : public InputSource {
   void onInfo(const sensor_msgs::CameraInfoConstPtr& info);
   void onTimer();
   void deliver(InfoMatcher::Frames& frames);
-  void warnOfSilence(InputTimes::TimePoint now);
+  void warnAboutMissingInfo(InputTimes::TimePoint now);
 
   std::string name_;
   ros::NodeHandle nh_;
@@ -42,16 +43,16 @@ class CameraSubscription : public InputSource {
   image_transport::ImageTransport transport_;
   unsigned queue_size_;
   Handler handler_;
-  bool is_raw_;
+  bool needs_rectification_;
   InfoHistory infos_;
   InfoMatcher matcher_;
   image_transport::Subscriber image_subscriber_;
   ros::Subscriber compressed_subscriber_;
   ros::Subscriber info_subscriber_;
   ros::WallTimer timer_;
-  InputTimes::TimePoint unanswered_since_;  // the first image since there was a frame
+  InputTimes::TimePoint unmatched_since_;  // arrival of the first image since the last pair
   bool warned_of_fallback_ = false;
-  bool warned_of_silence_ = false;
+  bool warned_of_missing_info_ = false;
 };
 
 }  // namespace line_plane_segmentation

@@ -47,17 +47,20 @@ class AxisFit {
   double n_ = 0.0, p_ = 0.0, s_ = 0.0, pp_ = 0.0, ps_ = 0.0, ss_ = 0.0;
 };
 
-}  // namespace
-
-CloudCamera cameraOf(const CloudView& cloud) {
-  constexpr double kSamples = 10000.0;
-  constexpr double kFarthestSlope = 100.0;
-  const double points = static_cast<double>(cloud.width) * cloud.height;
-  const int step = std::max(1, static_cast<int>(std::sqrt(points / kSamples)));
+// Fits of both axes to a sample of the points.
+struct CameraFit {
   AxisFit columns;
   AxisFit rows;
-  long behind = 0;
-  long before = 0;
+  long in_front = 0;  // number of points with positive z
+  long behind = 0;    // number of points with negative z
+};
+
+CameraFit fitAxes(const CloudView& cloud) {
+  constexpr double kSamples = 10000.0;
+  constexpr double kFarthestSlope = 100.0;
+  CameraFit fit;
+  const double points = static_cast<double>(cloud.width) * cloud.height;
+  const int step = std::max(1, static_cast<int>(std::sqrt(points / kSamples)));
   for (int v = step / 2; v < cloud.height; v += step) {
     const std::uint8_t* row = cloud.data + static_cast<std::size_t>(v) * cloud.row_step;
     for (int u = step / 2; u < cloud.width; u += step) {
@@ -67,15 +70,22 @@ CloudCamera cameraOf(const CloudView& cloud) {
       const float z = floatAt(point + cloud.z, cloud.swap_bytes);
       const double farthest = kFarthestSlope * std::abs(z);
       if (!std::isnormal(z) || !(std::abs(x) < farthest && std::abs(y) < farthest)) continue;
-      ++(z > 0.0F ? before : behind);
+      ++(z > 0.0F ? fit.in_front : fit.behind);
       if (z < 0.0F) continue;
-      columns.add(u, x / static_cast<double>(z));
-      rows.add(v, y / static_cast<double>(z));
+      fit.columns.add(u, x / static_cast<double>(z));
+      fit.rows.add(v, y / static_cast<double>(z));
     }
   }
 
+  return fit;
+}
+
+}  // namespace
+
+CloudCamera cameraOf(const CloudView& cloud) {
+  const auto [columns, rows, in_front, behind] = fitAxes(cloud);
   CloudCamera found;
-  if (behind > before) {
+  if (behind > in_front) {
     found.refusal = Refusal::kNotPinhole;
     return found;
   }

@@ -36,7 +36,7 @@ std::vector<CloudPoint> pointsOfLabels(const SegmentedFrame& frame) {
 std::vector<float> slopesOfColumns(const CameraIntrinsics& camera, int width) {
   std::vector<float> slopes(static_cast<std::size_t>(width));
   for (int u = 0; u < width; ++u) {
-    slopes[static_cast<std::size_t>(u)] = static_cast<float>((u - camera.cx) / camera.fx);
+    slopes[u] = static_cast<float>((u - camera.cx) / camera.fx);
   }
   return slopes;
 }
@@ -57,8 +57,8 @@ sensor_msgs::PointCloud2::Ptr makeCloud(const SegmentedFrame& frame) {
 
 CloudRows::CloudRows(const SegmentedFrame& frame)
     : frame_(frame),
-      rotation_(frame.published.placement.linear().cast<float>()),
-      translation_(frame.published.placement.translation().cast<float>()),
+      rotation_(frame.published.target_from_optical.linear().cast<float>()),
+      translation_(frame.published.target_from_optical.translation().cast<float>()),
       slopes_(slopesOfColumns(frame.camera, frame.segmentation.width)),
       of_label_(pointsOfLabels(frame)),
       depth_(slopes_.size()) {}

@@ -3,7 +3,7 @@
 
 #include <utility>
 
-#include "contain_exceptions.h"
+#include "log_exceptions.h"
 
 namespace line_plane_segmentation {
 
@@ -25,9 +25,9 @@ void CloudSubscription::unsubscribe() {
 }
 
 void CloudSubscription::onCloud(const sensor_msgs::PointCloud2ConstPtr& cloud) {
-  containExceptions(topics_.cloud, [&] {
+  logExceptions(topics_.cloud, [&] {
     times_.frame = std::chrono::steady_clock::now();
-    CameraFrame frame;
+    InputFrame frame;
     frame.cloud = cloud;
     handler_(std::move(frame));
   });

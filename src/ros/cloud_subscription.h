@@ -11,7 +11,7 @@ namespace line_plane_segmentation {
 /// Subscription of an organised point cloud, for sensors without a depth image.
 class CloudSubscription : public InputSource {
  public:
-  /// Does not subscribe yet.
+  /// Resolves the topic; subscribe() starts the subscription.
   /// @param queue_size  largest number of messages waiting in the transport
   CloudSubscription(const ros::NodeHandle& nh, int queue_size, Handler handler);
 

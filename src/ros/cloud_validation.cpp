@@ -28,7 +28,7 @@ const char* nameOfType(std::uint8_t datatype) {
   return datatype < kNames.size() ? kNames[datatype] : kNames[0];
 }
 
-// What is wrong with the coordinates: "x is FLOAT64, there is no z".
+// Describes invalid coordinate fields: "x is FLOAT64, there is no z".
 std::string describeFields(const sensor_msgs::PointCloud2& cloud) {
   std::string text;
   for (const char* name : {"x", "y", "z"}) {

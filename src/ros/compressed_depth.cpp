@@ -26,14 +26,14 @@ constexpr std::size_t kRvlSizes = 8;
 
 enum class Codec { kNone, kPng, kRvl };
 
-/// Where what is in a message.
-struct Layout {
+/// Format of a message, and positions of its parts.
+struct MessageLayout {
   Codec codec = Codec::kNone;
   std::string encoding;
-  std::size_t start = 0;  // of the PNG, or of RVL's words
+  std::size_t start = 0;  // [bytes] offset of the PNG or of the RVL data
   std::uint32_t width = 0;
   std::uint32_t height = 0;
-  float quantisation_a = 0.0F;  // of 32FC1: depth = a / (number - b)
+  float quantisation_a = 0.0F;  // for 32FC1: depth = a / (number - b)
   float quantisation_b = 0.0F;
 };
 
@@ -62,9 +62,9 @@ std::string encodingOf(const std::string& format) {
   return encoding.substr(0, encoding.find(' '));
 }
 
-Layout layoutOf(const sensor_msgs::CompressedImage& message) {
+MessageLayout layoutOf(const sensor_msgs::CompressedImage& message) {
   const std::vector<std::uint8_t>& data = message.data;
-  Layout layout;
+  MessageLayout layout;
   layout.encoding = encodingOf(message.format);
   const bool is_float = layout.encoding == enc::TYPE_32FC1;
   if (!is_float && layout.encoding != enc::TYPE_16UC1 && layout.encoding != enc::MONO16) return layout;
@@ -85,12 +85,13 @@ Layout layoutOf(const sensor_msgs::CompressedImage& message) {
     layout.quantisation_a = littleEndianAt<float>(data, 4);
     layout.quantisation_b = littleEndianAt<float>(data, 8);
   } else if (is_float) {
-    layout.codec = Codec::kNone;  // floats are in no other kind
+    layout.codec = Codec::kNone;  // no other format contains floats
   }
   return layout;
 }
 
-void describe(const sensor_msgs::CompressedImage& message, const Layout& layout, sensor_msgs::Image& image) {
+void describe(const sensor_msgs::CompressedImage& message, const MessageLayout& layout,
+              sensor_msgs::Image& image) {
   image.header = message.header;
   image.encoding = layout.encoding;
   image.width = layout.width;
@@ -101,8 +102,8 @@ void describe(const sensor_msgs::CompressedImage& message, const Layout& layout,
       static_cast<std::uint32_t>(std::min<std::uint64_t>(step, std::numeric_limits<std::uint32_t>::max()));
 }
 
-// OpenCV's image of the PNG; empty if it is not one of this size with 16 bits a pixel.
-cv::Mat decodePng(const sensor_msgs::CompressedImage& message, const Layout& layout) {
+// Decodes the PNG; returns an empty image unless it has the stated size and 16 bits per pixel.
+cv::Mat decodePng(const sensor_msgs::CompressedImage& message, const MessageLayout& layout) {
   const cv::Mat bytes(1, static_cast<int>(message.data.size() - layout.start), CV_8UC1,
                       const_cast<std::uint8_t*>(message.data.data() + layout.start));
   cv::Mat decoded;
@@ -116,7 +117,8 @@ cv::Mat decodePng(const sensor_msgs::CompressedImage& message, const Layout& lay
   return fits ? decoded : cv::Mat();
 }
 
-void toMetres(const std::uint16_t* numbers, std::size_t pixels, const Layout& layout, std::uint8_t* data) {
+void toMetres(const std::uint16_t* numbers, std::size_t pixels, const MessageLayout& layout,
+              std::uint8_t* data) {
   for (std::size_t i = 0; i < pixels; ++i) {
     const float metres =
         numbers[i] == 0 ? std::numeric_limits<float>::quiet_NaN()
@@ -128,7 +130,7 @@ void toMetres(const std::uint16_t* numbers, std::size_t pixels, const Layout& la
 }  // namespace
 
 sensor_msgs::Image::Ptr describeCompressedDepth(const sensor_msgs::CompressedImage& message) {
-  const Layout layout = layoutOf(message);
+  const MessageLayout layout = layoutOf(message);
   if (layout.codec == Codec::kNone) return {};
   auto image = boost::make_shared<sensor_msgs::Image>();
   describe(message, layout, *image);
@@ -137,7 +139,7 @@ sensor_msgs::Image::Ptr describeCompressedDepth(const sensor_msgs::CompressedIma
 
 bool decodeCompressedDepth(const sensor_msgs::CompressedImage& message, std::uint64_t max_pixels,
                            sensor_msgs::Image& image) {
-  const Layout layout = layoutOf(message);
+  const MessageLayout layout = layoutOf(message);
   if (layout.codec == Codec::kNone) return false;
   const std::uint64_t pixels = std::uint64_t{layout.width} * layout.height;
   if (pixels == 0 || pixels > max_pixels || message.data.size() > std::numeric_limits<int>::max())

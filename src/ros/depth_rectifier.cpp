@@ -26,8 +26,8 @@ bool differ(const CameraIntrinsics& a, const CameraIntrinsics& b) {
                    std::abs(a.cy - b.cy)}) > kSame;
 }
 
-// The slope along an axis at which the lens sees a pixel of it, by bisection: along the axis pixels grow with
-// slopes.
+// Returns the slope of the ray to a pixel on an axis, by bisection: along the axis, pixel coordinates
+// increase with the slope.
 double slopeAt(const LensDistortion& lens, const CameraIntrinsics& camera, bool along_x, double pixel,
                double limit) {
   const double centre = along_x ? camera.cx : camera.cy;
@@ -45,9 +45,9 @@ double slopeAt(const LensDistortion& lens, const CameraIntrinsics& camera, bool 
   return sign * low;
 }
 
-// A camera whose image of this size ends where the raw image does, on both of its axes.
-CameraIntrinsics wholeView(const LensDistortion& lens, const CameraIntrinsics& raw, int width, int height,
-                           double limit) {
+// Returns a camera with the same field of view along both axes as the raw image.
+CameraIntrinsics fullViewCamera(const LensDistortion& lens, const CameraIntrinsics& raw, int width,
+                                int height, double limit) {
   const double left = slopeAt(lens, raw, true, 0.0, limit);
   const double right = slopeAt(lens, raw, true, width - 1.0, limit);
   const double top = slopeAt(lens, raw, false, 0.0, limit);
@@ -62,7 +62,7 @@ CameraIntrinsics wholeView(const LensDistortion& lens, const CameraIntrinsics& r
 
 // The "minmod" limiter: the slope of smaller magnitude, 0 if the signs differ. Exact on a plane, where both
 // are equal; beside a depth step, the slope of the pixel's own surface.
-float smallerSlope(float a, float b) {
+float minmod(float a, float b) {
   if (a * b <= 0.0F) return 0.0F;
   return std::abs(a) < std::abs(b) ? a : b;
 }
@@ -70,43 +70,44 @@ float smallerSlope(float a, float b) {
 }  // namespace
 
 bool DepthRectifier::setCamera(const sensor_msgs::CameraInfo& info, int width, int height) {
-  if (info_ && width == width_ && height == height_ && isSameCalibration(*info_, info)) return is_known_;
+  if (info_ && width == width_ && height == height_ && isSameCalibration(*info_, info)) return is_valid_;
   info_ = info;
   width_ = width;
   height_ = height;
-  is_known_ = compute(info, width, height);
-  return is_known_;
+  is_valid_ = computeTables(info, width, height);
+  return is_valid_;
 }
 
-bool DepthRectifier::compute(const sensor_msgs::CameraInfo& info, int width, int height) {
+bool DepthRectifier::computeTables(const sensor_msgs::CameraInfo& info, int width, int height) {
   const CameraIntrinsics raw = rawIntrinsics(info);
-  const std::optional<LensDistortion> lens = LensDistortion::of(info);
+  const std::optional<LensDistortion> lens = LensDistortion::fromCameraInfo(info);
   if (!lens || !isUsable(raw) || width < 2 || height < 2) return false;
-  const double largest = lens->largestRadius(raw);
+  const double largest = lens->maxMonotonicRadius(raw);
   if (!(largest > 0.0)) return false;
   const CameraIntrinsics projection = rectifiedIntrinsics(info);
   const bool is_given = isUsable(projection) && differ(projection, raw);
-  camera_ = is_given ? projection : wholeView(*lens, raw, width, height, std::min(largest, kWidestSlope));
+  camera_ =
+      is_given ? projection : fullViewCamera(*lens, raw, width, height, std::min(largest, kWidestSlope));
   if (!isUsable(camera_)) return false;
 
-  sources_.assign(static_cast<std::size_t>(width) * static_cast<std::size_t>(height), {-1, 0, 0});
+  source_pixels_.assign(static_cast<std::size_t>(width) * static_cast<std::size_t>(height), {-1, 0, 0});
   std::vector<cv::Point2d> row(static_cast<std::size_t>(width));
   for (int v = 0; v < height; ++v) {
     for (int u = 0; u < width; ++u) {
-      row[static_cast<std::size_t>(u)] = {(u - camera_.cx) / camera_.fx, (v - camera_.cy) / camera_.fy};
+      row[u] = {(u - camera_.cx) / camera_.fx, (v - camera_.cy) / camera_.fy};
     }
     const std::vector<cv::Point2d> pixels = lens->project(row, raw);
     for (int u = 0; u < width; ++u) {
-      const cv::Point2d& ray = row[static_cast<std::size_t>(u)];
-      const cv::Point2d& pixel = pixels[static_cast<std::size_t>(u)];
+      const cv::Point2d& ray = row[u];
+      const cv::Point2d& pixel = pixels[u];
       if (std::hypot(ray.x, ray.y) > largest) continue;
-      // Not outside, which a NaN is not.
+      // Negated, so that NaN is outside.
       if (!(pixel.x >= 0.0 && pixel.x <= width - 1.0 && pixel.y >= 0.0 && pixel.y <= height - 1.0)) continue;
       const int left = std::min(static_cast<int>(pixel.x), width - 2);
       const int top = std::min(static_cast<int>(pixel.y), height - 2);
-      sources_[static_cast<std::size_t>(v * width + u)] = {
-          top * width + left, static_cast<std::uint8_t>(255.0 * (pixel.x - left)),
-          static_cast<std::uint8_t>(255.0 * (pixel.y - top))};
+      source_pixels_[v * width + u] = {top * width + left,
+                                       static_cast<std::uint8_t>(255.0 * (pixel.x - left)),
+                                       static_cast<std::uint8_t>(255.0 * (pixel.y - top))};
     }
   }
   return true;
@@ -115,21 +116,21 @@ bool DepthRectifier::compute(const sensor_msgs::CameraInfo& info, int width, int
 DepthView DepthRectifier::rectify(const DepthView& raw) {
   constexpr DepthRange kAny{0.0F, std::numeric_limits<float>::max()};
   const auto width = static_cast<std::size_t>(width_);
-  inverse_depth_.resize(sources_.size());
-  rectified_.resize(sources_.size());
+  inverse_depth_.resize(source_pixels_.size());
+  rectified_.resize(source_pixels_.size());
   for (int v = 0; v < height_; ++v) {
     float* const row = inverse_depth_.data() + static_cast<std::size_t>(v) * width;
     loadRow(raw, v, kAny, row);
     for (std::size_t u = 0; u < width; ++u) row[u] = row[u] > kNearest ? 1.0F / row[u] : 0.0F;
   }
-  for (std::size_t i = 0; i < sources_.size(); ++i) {
-    const float inverse = sources_[i].index < 0 ? 0.0F : interpolate(sources_[i]);
+  for (std::size_t i = 0; i < source_pixels_.size(); ++i) {
+    const float inverse = source_pixels_[i].index < 0 ? 0.0F : interpolate(source_pixels_[i]);
     rectified_[i] = inverse > 0.0F ? 1.0F / inverse : 0.0F;
   }
   return viewOf(rectified_.data(), width_, height_);
 }
 
-float DepthRectifier::interpolate(const Source& source) const {
+float DepthRectifier::interpolate(const SourcePixel& source) const {
   constexpr float kSmooth = 1.05F;  // ratio; four pixels that differ by more can be of two surfaces
   constexpr float kUnit = 1.0F / 255.0F;
   const auto width = static_cast<std::size_t>(width_);
@@ -158,21 +159,21 @@ float DepthRectifier::interpolate(const Source& source) const {
 
 float DepthRectifier::inverseDepthAt(int u, int v) const {
   const bool is_inside = u >= 0 && u < width_ && v >= 0 && v < height_;
-  return is_inside ? inverse_depth_[static_cast<std::size_t>(v * width_ + u)] : 0.0F;
+  return is_inside ? inverse_depth_[v * width_ + u] : 0.0F;
 }
 
 float DepthRectifier::limitedSlope(int u, int v, int du, int dv) const {
   const float centre = inverseDepthAt(u, v);
   const float before = inverseDepthAt(u - du, v - dv);
   const float after = inverseDepthAt(u + du, v + dv);
-  if (before > 0.0F && after > 0.0F) return smallerSlope(centre - before, after - centre);
+  if (before > 0.0F && after > 0.0F) return minmod(centre - before, after - centre);
   // With one neighbour only, the pixel beyond it has to continue the slope.
   if (after > 0.0F) {
     const float beyond = inverseDepthAt(u + 2 * du, v + 2 * dv);
-    return beyond > 0.0F ? smallerSlope(after - centre, beyond - after) : 0.0F;
+    return beyond > 0.0F ? minmod(after - centre, beyond - after) : 0.0F;
   }
   const float beyond = inverseDepthAt(u - 2 * du, v - 2 * dv);
-  return before > 0.0F && beyond > 0.0F ? smallerSlope(centre - before, before - beyond) : 0.0F;
+  return before > 0.0F && beyond > 0.0F ? minmod(centre - before, before - beyond) : 0.0F;
 }
 
 }  // namespace line_plane_segmentation

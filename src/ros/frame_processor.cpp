@@ -12,7 +12,7 @@ using Clock = std::chrono::steady_clock;
 
 // Frames that tf has not known for this long are treated as unavailable. Images then no longer wait for
 // them, so a system without tf has no extra latency.
-constexpr std::chrono::seconds kUnknownForGood(1);
+constexpr std::chrono::seconds kUnknownAfter(1);
 
 }  // namespace
 
@@ -20,15 +20,15 @@ FrameProcessor::FrameProcessor(const std::string& name, const InputLimits& limit
                                const Outputs& outputs, TransformListener& transforms)
     : outputs_(outputs),
       transforms_(transforms),
-      advice_(name),
+      warnings_(name),
       robot_(name),
       segmenter_(limits),
       locator_(transforms.buffer()),
       worker_(
-          queue_size, [this](const CameraFrame& frame) { process(frame); },
+          queue_size, [this](const InputFrame& frame) { process(frame); },
           [this](const std::string& problem) {
             statistics_.failed(problem);
-            advice_.failed(problem);
+            warnings_.warnAboutFailure(problem);
           }) {}
 
 void FrameProcessor::setParameters(const NodeletParameters& parameters) {
@@ -38,7 +38,7 @@ void FrameProcessor::setParameters(const NodeletParameters& parameters) {
 }
 
 void FrameProcessor::applyParameters() {
-  const bool trace_outlines = outputs_.outlinesWanted();
+  const bool trace_outlines = outputs_.needsOutlines();
   NodeletParameters parameters;
   {
     const std::lock_guard<std::mutex> lock(parameters_mutex_);
@@ -56,15 +56,15 @@ void FrameProcessor::applyParameters() {
 
 // True if waiting may help: when tf has just started, or a bag loops, the first transforms arrive at about
 // the same time as the first image.
-bool FrameProcessor::mayCome(const CameraPlaces& places) {
-  using Answer = TransformLookup::Answer;
-  const std::array lookups = places.all();
+bool FrameProcessor::mayBecomeAvailable(const CameraPoses& poses) {
+  using Status = TransformLookup::Status;
+  const std::array lookups = poses.all();
   const Clock::time_point now = Clock::now();
-  bool may_come = places.has(Answer::kLate);
+  bool may_come = poses.has(Status::kLate);
   for (std::size_t i = 0; i < lookups.size(); ++i) {
     std::optional<Clock::time_point>& since = unknown_since_[i];
-    since = lookups[i]->answer == Answer::kUnknown ? since.value_or(now) : std::optional<Clock::time_point>();
-    may_come |= since && now - *since < kUnknownForGood;
+    since = lookups[i]->status == Status::kUnknown ? since.value_or(now) : std::optional<Clock::time_point>();
+    may_come |= since && now - *since < kUnknownAfter;
   }
   return may_come;
 }
@@ -72,66 +72,68 @@ bool FrameProcessor::mayCome(const CameraPlaces& places) {
 // The patience counts from the frame's arrival: the frames behind it wait at the same time, so that none of
 // them is lost. Until the connection to tf is established frames wait longer, as long as the queue takes
 // them.
-bool FrameProcessor::mayWait(const CameraFrame& frame) {
+bool FrameProcessor::mayWaitLonger(const InputFrame& frame) {
   const FrameQueue& queue = worker_.queue();
   if (queue.closed()) return false;
   const std::chrono::duration<double> patience(locator_.parameters().frames.tf_patience);
-  return Clock::now() - frame.arrived < patience || (transforms_.isNew() && !queue.nearlyFull());
+  return Clock::now() - frame.arrived < patience || (transforms_.isConnecting() && !queue.nearlyFull());
 }
 
 // Transforms often arrive a little later than the image that they belong to. This thread waits for them,
 // since no callback may, by a clock that does not depend on ROS time.
-CameraPlaces FrameProcessor::findPlaces(const CameraFrame& frame) {
+CameraPoses FrameProcessor::lookUpPoses(const InputFrame& frame) {
   constexpr std::chrono::milliseconds kPause(2);
-  CameraPlaces places = locator_.lookUp(segmenter_.header());
-  while (mayCome(places) && mayWait(frame)) {
+  CameraPoses poses = locator_.lookUp(segmenter_.header());
+  while (mayBecomeAvailable(poses) && mayWaitLonger(frame)) {
     std::this_thread::sleep_for(kPause);
-    places = locator_.lookUp(segmenter_.header());
+    poses = locator_.lookUp(segmenter_.header());
   }
-  locator_.fallBack(segmenter_.header(), places);
-  return places;
+  locator_.fallBack(segmenter_.header(), poses);
+  return poses;
 }
 
-void FrameProcessor::adviseOnPlaces(const CameraPlaces& places) {
+void FrameProcessor::warnAboutTransforms(const CameraPoses& poses) {
   const FrameParameters& frames = locator_.parameters().frames;
-  if (!frames.target_frame.empty()) advice_.transformed(Purpose::kTarget, places.target, frames.tf_patience);
+  if (!frames.target_frame.empty())
+    warnings_.countLookup(TransformPurpose::kTarget, poses.target, frames.tf_patience);
   if (!frames.gravity_frame.empty())
-    advice_.transformed(Purpose::kGravity, places.gravity, frames.tf_patience);
-  if (!frames.fixed_frame.empty()) advice_.transformed(Purpose::kMotion, places.fixed, frames.tf_patience);
+    warnings_.countLookup(TransformPurpose::kGravity, poses.gravity, frames.tf_patience);
+  if (!frames.fixed_frame.empty())
+    warnings_.countLookup(TransformPurpose::kFixed, poses.fixed, frames.tf_patience);
 }
 
 void FrameProcessor::refuse(Refusal refusal, const std::string& explanation) {
   statistics_.refused(refusal, explanation, segmenter_.header().frame_id);
-  // Single failed transforms are normal; adviseOnPlaces() warns if most of them fail.
-  if (refusal != Refusal::kTf) advice_.refused(refusal, explanation);
+  // Single failed transforms are normal; warnAboutTransforms() warns if most of them fail.
+  if (refusal != Refusal::kTf) warnings_.warnAboutRefusal(refusal, explanation);
 }
 
-void FrameProcessor::process(const CameraFrame& frame) {
-  if (!outputs_.wanted()) return;
+void FrameProcessor::process(const InputFrame& frame) {
+  if (!outputs_.subscribed()) return;
   applyParameters();
   const Validation& input = segmenter_.accept(frame);
   if (!input.accepted()) {
     refuse(input.refusal, segmenter_.explanation(frame));
     return;
   }
-  advice_.accepted(frame, input);
+  warnings_.checkFrame(frame, input);
 
-  const CameraPlaces places = findPlaces(frame);
-  adviseOnPlaces(places);
-  if (!places.target.found()) {
+  const CameraPoses poses = lookUpPoses(frame);
+  warnAboutTransforms(poses);
+  if (!poses.target.found()) {
     refuse(Refusal::kTf, "planes cannot be given in ~target_frame: " +
-                             explain(places.target, locator_.parameters().frames.tf_patience));
+                             explain(poses.target, locator_.parameters().frames.tf_patience));
     return;
   }
   const Segmentation& segmentation = segmenter_.segment();
-  advice_.segmented(input, segmenter_.range(), segmentation);
+  warnings_.checkSegmentation(input, segmenter_.range(), segmentation);
 
   const auto outputs_started = std::chrono::steady_clock::now();
-  const PublishedPlanes& published = locator_.locate(segmentation, input.camera, segmenter_.header(), places);
+  const PublishedPlanes& published = locator_.locate(segmentation, input.camera, segmenter_.header(), poses);
   const SegmentedFrame result = segmenter_.result(published);
   statistics_.untracked(locator_.untracked());
   outputs_.publish(result, robot_);
-  if (outputs_.scanlinesWanted()) {
+  if (outputs_.needsScanlines()) {
     outputs_.publishScanlines(result, segmenter_.lineSegments(), segmenter_.candidates());
   }
   const std::chrono::duration<double, std::milli> output_time =

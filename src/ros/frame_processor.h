@@ -10,7 +10,7 @@
 #include "frame_segmenter.h"
 #include "frame_statistics.h"
 #include "frame_worker.h"
-#include "input_advice.h"
+#include "input_warnings.h"
 #include "line_plane_segmentation/ros/parameter_config.h"
 #include "outputs.h"
 #include "plane_locator.h"
@@ -30,19 +30,19 @@ class FrameProcessor {
   FrameProcessor(const std::string& name, const InputLimits& limits, std::size_t queue_size,
                  const Outputs& outputs, TransformListener& transforms);
 
-  /// All parameters take effect together, with the next frame. Never waits for a frame.
+  /// Sets all parameters together, for the next frame. Does not wait for the current frame.
   void setParameters(const NodeletParameters& parameters);
 
   FrameQueue& queue() { return worker_.queue(); }
   FrameStatistics& statistics() { return statistics_; }
 
  private:
-  void process(const CameraFrame& frame);
+  void process(const InputFrame& frame);
   void applyParameters();
-  CameraPlaces findPlaces(const CameraFrame& frame);
-  bool mayCome(const CameraPlaces& places);
-  bool mayWait(const CameraFrame& frame);
-  void adviseOnPlaces(const CameraPlaces& places);
+  CameraPoses lookUpPoses(const InputFrame& frame);
+  bool mayBecomeAvailable(const CameraPoses& poses);
+  bool mayWaitLonger(const InputFrame& frame);
+  void warnAboutTransforms(const CameraPoses& poses);
   void refuse(Refusal refusal, const std::string& explanation);
 
   const Outputs& outputs_;
@@ -54,13 +54,13 @@ class FrameProcessor {
   bool parameters_changed_ = true;
 
   // Used by the worker thread only.
-  InputAdvice advice_;
+  InputWarnings warnings_;
   RobotMessages robot_;
   FrameSegmenter segmenter_;
   PlaneLocator locator_;
   bool tracing_outlines_ = true;
-  // Per lookup: since when tf has not known its frames; empty if it knows them.
-  std::array<std::optional<std::chrono::steady_clock::time_point>, CameraPlaces::kCount> unknown_since_;
+  // Per lookup: time since which tf does not know its frames; empty if the frames are known.
+  std::array<std::optional<std::chrono::steady_clock::time_point>, CameraPoses::kCount> unknown_since_;
 
   FrameWorker worker_;  // last: its thread uses all of the above
 };

@@ -5,7 +5,7 @@
 
 namespace line_plane_segmentation {
 
-void FrameQueue::push(CameraFrame frame) {
+void FrameQueue::push(InputFrame frame) {
   frame.arrived = std::chrono::steady_clock::now();
   {
     const std::lock_guard<std::mutex> lock(mutex_);
@@ -19,7 +19,7 @@ void FrameQueue::push(CameraFrame frame) {
   changed_.notify_one();
 }
 
-bool FrameQueue::pop(CameraFrame& frame) {
+bool FrameQueue::pop(InputFrame& frame) {
   std::unique_lock<std::mutex> lock(mutex_);
   if (frames_.empty()) overloaded_ = false;
   changed_.wait(lock, [this] { return closed_ || !frames_.empty(); });

@@ -7,7 +7,7 @@
 #include <deque>
 #include <mutex>
 
-#include "camera_frame.h"
+#include "input_frame.h"
 
 namespace line_plane_segmentation {
 
@@ -22,11 +22,11 @@ class FrameQueue {
   explicit FrameQueue(std::size_t capacity) : capacity_(capacity) {}
 
   /// Never blocks for longer than pop() needs to move a frame. Stores the time of arrival.
-  void push(CameraFrame frame);
+  void push(InputFrame frame);
 
   /// Waits for a frame.
   /// @return false once the queue is closed
-  bool pop(CameraFrame& frame);
+  bool pop(InputFrame& frame);
 
   /// Removes the waiting frames without counting them as dropped.
   void clear();
@@ -35,17 +35,17 @@ class FrameQueue {
   void close();
   bool closed() const;
 
-  /// Whether the next frame, or the one after it, would overflow the queue.
+  /// Returns true if one of the next two frames would overflow the queue.
   bool nearlyFull() const;
 
-  /// Number of frames dropped since construction.
+  /// Returns the number of frames dropped since construction.
   std::uint64_t dropped() const;
 
  private:
   const std::size_t capacity_;
   mutable std::mutex mutex_;
   std::condition_variable changed_;
-  std::deque<CameraFrame> frames_;
+  std::deque<InputFrame> frames_;
   bool overloaded_ = false;
   bool closed_ = false;
   std::uint64_t dropped_ = 0;

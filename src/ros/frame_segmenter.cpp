@@ -3,7 +3,7 @@
 
 #include "compressed_depth.h"
 #include "line_plane_segmentation/ros/cloud_validation.h"
-#include "short_text.h"
+#include "printable_text.h"
 
 namespace line_plane_segmentation {
 namespace {
@@ -22,7 +22,7 @@ DepthRange rangeOf(const Parameters& parameters) {
 
 }  // namespace
 
-const Validation& FrameSegmenter::accept(const CameraFrame& frame) {
+const Validation& FrameSegmenter::accept(const InputFrame& frame) {
   header_ = usable(frame.header());
   if (frame.cloud) {
     input_ = validate(*frame.cloud, limits_, cloud_depth_);
@@ -32,10 +32,10 @@ const Validation& FrameSegmenter::accept(const CameraFrame& frame) {
   return input_;
 }
 
-Validation FrameSegmenter::acceptImage(const CameraFrame& frame) {
+Validation FrameSegmenter::acceptImage(const InputFrame& frame) {
   Validation input =
       frame.compressed ? acceptCompressed(frame) : validate(*frame.image, *frame.info, limits_);
-  if (!input.accepted() || !input.distorted || !frame.is_raw) return input;
+  if (!input.accepted() || !input.distorted || !frame.needs_rectification) return input;
   if (!rectifier_.setCamera(*frame.info, input.view.width, input.view.height)) return input;
   input.view = rectifier_.rectify(input.view);
   input.camera = rectifier_.camera();
@@ -43,7 +43,7 @@ Validation FrameSegmenter::acceptImage(const CameraFrame& frame) {
   return input;
 }
 
-Validation FrameSegmenter::acceptCompressed(const CameraFrame& frame) {
+Validation FrameSegmenter::acceptCompressed(const InputFrame& frame) {
   Validation refused;
   const std::uint64_t pixels = std::uint64_t{frame.image->width} * frame.image->height;
   if (pixels > limits_.max_pixels) {
@@ -62,12 +62,12 @@ const Segmentation& FrameSegmenter::segment() {
   return *segmentation_;
 }
 
-const Validation& FrameSegmenter::segment(const CameraFrame& frame) {
+const Validation& FrameSegmenter::segment(const InputFrame& frame) {
   if (accept(frame).accepted()) segment();
   return input_;
 }
 
-std::string FrameSegmenter::explanation(const CameraFrame& frame) const {
+std::string FrameSegmenter::explanation(const InputFrame& frame) const {
   return frame.cloud ? explain(input_.refusal, *frame.cloud)
                      : explain(input_.refusal, *frame.image, *frame.info);
 }

@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "camera_frame.h"
 #include "depth_rectifier.h"
+#include "input_frame.h"
 #include "line_plane_segmentation/parameters.h"
 #include "line_plane_segmentation/plane_segmenter.h"
 #include "line_plane_segmentation/ros/conversions.h"
@@ -25,32 +25,34 @@ class FrameSegmenter {
  public:
   explicit FrameSegmenter(const InputLimits& limits = {}) : limits_(limits) {}
 
-  /// Takes effect with the next frame.
+  /// Sets the parameters for the next frames.
   void setParameters(const Parameters& parameters) { segmenter_.setParameters(parameters); }
 
   /// Validates the messages of a frame.
   /// @param frame  its messages must outlive the results computed from them
-  const Validation& accept(const CameraFrame& frame);
+  const Validation& accept(const InputFrame& frame);
 
   /// Returns one line for the user if the last frame was refused: the reason and the remedy.
   /// @param frame  the frame that was passed to accept()
-  std::string explanation(const CameraFrame& frame) const;
+  std::string explanation(const InputFrame& frame) const;
 
   /// Segments the frame that was accepted.
   const Segmentation& segment();
 
   /// Calls accept() and, unless the frame is refused, segment().
-  const Validation& segment(const CameraFrame& frame);
+  const Validation& segment(const InputFrame& frame);
 
   /// Validation of the last frame. The functions below are meaningful only if it was accepted.
   const Validation& input() const { return input_; }
 
-  /// The image's header, its frame_id without the leading slashes that tf2 refuses.
+  /// Returns the image's header. The frame_id has no leading slashes, which tf2 refuses.
   const std_msgs::Header& header() const { return header_; }
 
   const Segmentation& segmentation() const { return *segmentation_; }
-  const std::vector<LineSegment>& lineSegments() const { return segmenter_.lineSegments(); }
-  const std::vector<PlaneCandidate>& candidates() const { return segmenter_.candidates(); }
+  /// Returns the line segments of the last frame. Computed by the first call after a frame.
+  const std::vector<LineSegment>& lineSegments() { return segmenter_.lineSegments(); }
+  /// Returns the candidates of the last frame. Computed by the first call after a frame.
+  const std::vector<PlaneCandidate>& candidates() { return segmenter_.candidates(); }
   const DepthRange& range() const { return range_; }
   const StageClock& clock() const { return clock_; }
 
@@ -59,15 +61,15 @@ class FrameSegmenter {
   SegmentedFrame result(const PublishedPlanes& published) const;
 
  private:
-  Validation acceptImage(const CameraFrame& frame);
-  Validation acceptCompressed(const CameraFrame& frame);
+  Validation acceptImage(const InputFrame& frame);
+  Validation acceptCompressed(const InputFrame& frame);
 
   InputLimits limits_;
   PlaneSegmenter segmenter_;
   StageClock clock_;
   std_msgs::Header header_;
-  std::vector<std::uint8_t> cloud_depth_;  // what the view of a cloud shows
-  sensor_msgs::Image decoded_;             // what the view of a compressed image shows
+  std::vector<std::uint8_t> cloud_depth_;  // memory of the view of a cloud
+  sensor_msgs::Image decoded_;             // memory of the view of a compressed image
   DepthRectifier rectifier_;
   Validation input_;
   DepthRange range_;

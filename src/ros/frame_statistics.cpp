@@ -26,11 +26,11 @@ void FrameStatistics::processed(const Segmentation& segmentation, std::size_t pu
   ++sums_.total_frames;
   sums_.planes += static_cast<double>(segmentation.planes.size());
   sums_.published_planes += static_cast<double>(published_planes);
-  sums_.valid_share += segmentation.valid_pixels / pixels;
+  sums_.valid_fraction += segmentation.valid_pixels / pixels;
   sums_.milliseconds += milliseconds;
   sums_.max_milliseconds = std::max(sums_.max_milliseconds, milliseconds);
   for (int i = 0; i < kStageCount; ++i) {
-    sums_.stage_milliseconds[static_cast<std::size_t>(i)] += clock.milliseconds(static_cast<Stage>(i));
+    sums_.stage_milliseconds[i] += clock.milliseconds(static_cast<Stage>(i));
   }
   sums_.output_milliseconds += output_milliseconds;
   if (delay) {
@@ -73,14 +73,14 @@ FrameReport FrameStatistics::take() {
   const double frames = std::max(1.0, static_cast<double>(report.frames));
   report.planes /= frames;
   report.published_planes /= frames;
-  report.valid_share /= frames;
+  report.valid_fraction /= frames;
   report.milliseconds /= frames;
   for (double& stage : report.stage_milliseconds) stage /= frames;
   report.output_milliseconds /= frames;
   report.delay /= std::max(1.0, static_cast<double>(report.delays));
 
   sums_.frames = 0;
-  sums_.planes = sums_.published_planes = sums_.valid_share = 0.0;
+  sums_.planes = sums_.published_planes = sums_.valid_fraction = 0.0;
   sums_.milliseconds = sums_.max_milliseconds = sums_.output_milliseconds = 0.0;
   sums_.stage_milliseconds.fill(0.0);
   sums_.delays = 0;

@@ -18,25 +18,25 @@ FrameWorker::~FrameWorker() {
 }
 
 void FrameWorker::run() {
-  CameraFrame frame;
+  InputFrame frame;
   while (queue_.pop(frame)) {
-    work(frame);
+    processSafely(frame);
     // Releases the messages before waiting for the next frame: their publisher may wait for that.
-    frame = CameraFrame{};
+    frame = InputFrame{};
   }
 }
 
-void FrameWorker::work(const CameraFrame& frame) {
+void FrameWorker::processSafely(const InputFrame& frame) {
   try {
     process_(frame);
   } catch (const std::exception& exception) {
-    tell(exception.what());
+    reportFailure(exception.what());
   } catch (...) {
-    tell("an exception of unknown type");
+    reportFailure("an exception of unknown type");
   }
 }
 
-void FrameWorker::tell(const char* problem) noexcept {
+void FrameWorker::reportFailure(const char* problem) noexcept {
   try {
     failed_(problem);
   } catch (...) {

@@ -10,21 +10,22 @@
 
 namespace line_plane_segmentation {
 
-/// Queue of frames, and the thread that processes them one after another. An exception ends the processing
-/// of its frame only.
+/// Queue of frames, and a thread that processes them one by one. After an exception the next frame is
+/// processed.
 class FrameWorker {
  public:
-  using Process = std::function<void(const CameraFrame&)>;
+  using Process = std::function<void(const InputFrame&)>;
   using Failed = std::function<void(const std::string& problem)>;
 
-  /// Starts the thread that calls both functions.
+  /// Starts the thread, which calls both functions.
   /// @param queue_size  largest number of waiting frames
   /// @param process  called with each frame
-  /// @param failed  called with the message of an exception thrown by `process`; its own exceptions are
-  ///         caught as well
+  /// @param failed   called with the message of an exception thrown by `process`; exceptions of `failed`
+  /// itself
+  ///         are caught and ignored
   FrameWorker(std::size_t queue_size, Process process, Failed failed);
 
-  /// Waits until the current frame is processed.
+  /// Waits until the current frame is processed, and ends the thread.
   ~FrameWorker();
 
   FrameWorker(const FrameWorker&) = delete;
@@ -35,8 +36,8 @@ class FrameWorker {
 
  private:
   void run();
-  void work(const CameraFrame& frame);
-  void tell(const char* problem) noexcept;
+  void processSafely(const InputFrame& frame);
+  void reportFailure(const char* problem) noexcept;
 
   const Process process_;
   const Failed failed_;

@@ -10,7 +10,7 @@
 #include <limits>
 #include <sstream>
 
-#include "short_text.h"
+#include "printable_text.h"
 
 namespace line_plane_segmentation {
 namespace {
@@ -91,7 +91,7 @@ Refusal makeCamera(const sensor_msgs::Image& image, const sensor_msgs::CameraInf
   return Refusal::kNone;
 }
 
-std::string quoted(const std::string& text) { return "'" + shortText(text, 32) + "'"; }
+std::string quoted(const std::string& text) { return "'" + printableText(text, 32) + "'"; }
 
 std::string toText(double number) {
   std::ostringstream stream;

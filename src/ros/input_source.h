@@ -6,11 +6,11 @@
 #include <functional>
 #include <string>
 
-#include "camera_frame.h"
+#include "input_frame.h"
 
 namespace line_plane_segmentation {
 
-/// Names of the input topics: image and camera_info, or cloud. The others are empty.
+/// Names of the input topics: either image and camera_info, or cloud. Unused names are empty.
 struct InputTopics {
   std::string image;
   std::string info;
@@ -25,7 +25,8 @@ struct InputTimes {
   TimePoint info;
   TimePoint frame;  ///< last pair of image and camera_info, or last cloud
 
-  bool has_fallen_back = false;  ///< images go with the newest camera_info, not with that of their stamp
+  bool has_fallen_back =
+      false;  ///< images are paired with the newest camera_info instead of the one with their timestamp
 };
 
 /// Interface of a subscription that produces frames. All calls, and the handler, run on the node handle's
@@ -33,7 +34,7 @@ struct InputTimes {
 class InputSource {
  public:
   /// Called with each frame; must not block.
-  using Handler = std::function<void(CameraFrame)>;
+  using Handler = std::function<void(InputFrame)>;
 
   virtual ~InputSource() = default;
   virtual void subscribe() = 0;
@@ -43,10 +44,10 @@ class InputSource {
   const InputTopics& topics() const { return topics_; }
   const InputTimes& times() const { return times_; }
 
-  /// Number of images that were discarded without a camera_info of their stamp.
+  /// Returns the number of images that were discarded without a camera_info of their timestamp.
   virtual std::uint64_t lostImages() const { return 0; }
 
-  /// Number of them whose camera_info arrived later.
+  /// Returns the number of these images whose camera_info arrived later.
   virtual std::uint64_t lateInfos() const { return 0; }
 
  protected:

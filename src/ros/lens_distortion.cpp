@@ -16,7 +16,7 @@ constexpr std::array<std::size_t, 5> kCounts = {4, 5, 8, 12, 14};  // of coeffic
 
 }  // namespace
 
-std::optional<LensDistortion> LensDistortion::of(const sensor_msgs::CameraInfo& info) {
+std::optional<LensDistortion> LensDistortion::fromCameraInfo(const sensor_msgs::CameraInfo& info) {
   namespace models = sensor_msgs::distortion_models;
   LensDistortion lens;
   lens.is_fisheye_ = info.distortion_model == kEquidistant;
@@ -48,7 +48,7 @@ std::vector<cv::Point2d> LensDistortion::project(const std::vector<cv::Point2d>&
   return pixels;
 }
 
-double LensDistortion::largestRadius(const CameraIntrinsics& camera) const {
+double LensDistortion::maxMonotonicRadius(const CameraIntrinsics& camera) const {
   constexpr int kSteps = 500;
   constexpr double kFarthest = 4.5;  // 77 degrees off the axis
   std::vector<cv::Point2d> points;

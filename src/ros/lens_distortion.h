@@ -11,20 +11,22 @@
 
 namespace line_plane_segmentation {
 
-/// The distortion of a lens, by OpenCV's models.
+/// Lens distortion by OpenCV's models: plumb_bob and rational_polynomial (4, 5, 8, 12 or 14 coefficients),
+/// equidistant (4).
 class LensDistortion {
  public:
-  /// @return nothing if the model is unknown, or its coefficients are not as many as it has
-  static std::optional<LensDistortion> of(const sensor_msgs::CameraInfo& info);
+  /// Reads model and coefficients.
+  /// @return empty if the model is unknown, or the number of coefficients does not fit it
+  static std::optional<LensDistortion> fromCameraInfo(const sensor_msgs::CameraInfo& info);
 
-  /// Returns the pixels where a lens sees these points (x, y, 1).
-  /// @param camera  K of the image
+  /// Projects the points (x, y, 1) to pixels.
+  /// @param camera  intrinsics K of the raw image
   std::vector<cv::Point2d> project(const std::vector<cv::Point2d>& points,
                                    const CameraIntrinsics& camera) const;
 
-  /// Returns up to where x grows with the pixel: beyond, the polynomials of a model turn around, and mean
-  /// nothing.
-  double largestRadius(const CameraIntrinsics& camera) const;
+  /// Returns the largest radius sqrt(x² + y²) up to which the projection increases monotonically. Beyond it
+  /// the polynomials of a model are invalid.
+  double maxMonotonicRadius(const CameraIntrinsics& camera) const;
 
  private:
   bool is_fisheye_ = false;

@@ -53,8 +53,8 @@ SupportedObjectArray::Ptr objectsMessage(const SegmentedFrame& frame,
     SupportedObject out;
     out.support_label = planes[object.support].label;
     out.support_id = ids[out.support_label];
-    out.centroid = pointOf((frame.published.placement * object.centroid).eval());
-    out.box_pose = poseOf(frame.published.placement * object.box);
+    out.centroid = pointOf((frame.published.target_from_optical * object.centroid).eval());
+    out.box_pose = poseOf(frame.published.target_from_optical * object.box);
     out.box_size.x = object.size.x();
     out.box_size.y = object.size.y();
     out.box_size.z = object.size.z();
@@ -77,7 +77,7 @@ void addObjectMarkers(const SegmentedFrame& frame, const std::vector<DetectedObj
     Marker marker = makeMarker(frame.published.header, "objects", number, Marker::CUBE);
     marker.color = toRgba(colorOf(number));
     marker.color.a = kAlpha;
-    marker.pose = poseOf(frame.published.placement * object.box);
+    marker.pose = poseOf(frame.published.target_from_optical * object.box);
     marker.scale.x = object.size.x();
     marker.scale.y = object.size.y();
     marker.scale.z = object.size.z();

@@ -12,15 +12,17 @@
 
 namespace line_plane_segmentation {
 
-/// Indices, in Segmentation::planes, of the published planes that are horizontal and visible from above.
+/// Returns the indices in Segmentation::planes of the published planes that are horizontal and visible from
+/// above.
 std::vector<std::size_t> supportsOf(const SegmentedFrame& frame);
 
-/// @param supports  those on which objects were looked for
+/// Returns the message of all objects, in the target frame.
+/// @param supports  planes on which objects were searched, as indices in Segmentation::planes
 SupportedObjectArray::Ptr objectsMessage(const SegmentedFrame& frame,
                                          const std::vector<DetectedObject>& objects,
                                          const std::vector<std::size_t>& supports);
 
-/// Adds a translucent box for each object (namespace "objects").
+/// Appends a translucent box per object (namespace "objects").
 void addObjectMarkers(const SegmentedFrame& frame, const std::vector<DetectedObject>& objects,
                       visualization_msgs::MarkerArray& markers);
 

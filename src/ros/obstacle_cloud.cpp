@@ -38,7 +38,7 @@ bool isRemoved(const SegmentedPlane& plane, Orientation orientation,
 std::vector<bool> removedLabels(const SegmentedFrame& frame, const ObstacleParameters& parameters) {
   const std::vector<SegmentedPlane>& planes = frame.segmentation.planes;
   const FramePoses& poses = frame.published.poses;
-  std::vector<bool> removed(planes.size() + 1, !poses.gravity_is_wanted);
+  std::vector<bool> removed(planes.size() + 1, !poses.gravity_frame_is_set);
   removed[0] = false;
   if (!poses.gravity_from_optical) return removed;
   for (std::size_t k = 0; k < planes.size(); ++k) {

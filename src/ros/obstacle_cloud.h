@@ -10,14 +10,14 @@
 
 namespace line_plane_segmentation {
 
-/// Decides which planes are left out of the cloud without planes: all of them where no gravity frame is set,
-/// those that the parameters name where its pose is known, none while tf does not know it, since walls would
-/// then vanish.
-/// @return for each label, true if its pixels are left out; [0], no plane, is false
+/// Selects the planes that are left out of ~cloud_without_planes: all planes if no gravity frame is set; the
+/// planes selected by the parameters if its pose is known; no planes while tf does not know the pose, because
+/// walls would otherwise disappear.
+/// @return per label, true if its pixels are left out; element 0 (no plane) is false
 std::vector<bool> removedLabels(const SegmentedFrame& frame, const ObstacleParameters& parameters);
 
-/// The points of all pixels that lie on none of these planes. Unorganised, every number finite. Fields and
-/// colours are those of the coloured cloud.
+/// Returns the points of all valid pixels that are on none of these planes. The cloud is unorganised and all
+/// values are finite. Fields and colours are the same as in ~cloud.
 sensor_msgs::PointCloud2::Ptr cloudWithoutPlanes(const SegmentedFrame& frame,
                                                  const ObstacleParameters& parameters);
 

@@ -8,11 +8,12 @@ namespace {
 constexpr unsigned kSmallMessages = 10;
 constexpr unsigned kLargeMessages = 2;
 
-bool wantedBySomebody(const ros::Publisher& publisher) { return publisher.getNumSubscribers() > 0; }
+bool hasSubscribers(const ros::Publisher& publisher) { return publisher.getNumSubscribers() > 0; }
 
 template <typename MakeMessage>
-void publishIfWanted(const ros::Publisher& publisher, const SegmentedFrame& frame, MakeMessage makeMessage) {
-  if (wantedBySomebody(publisher)) publisher.publish(makeMessage(frame));
+void publishIfSubscribed(const ros::Publisher& publisher, const SegmentedFrame& frame,
+                         MakeMessage makeMessage) {
+  if (hasSubscribers(publisher)) publisher.publish(makeMessage(frame));
 }
 
 }  // namespace
@@ -36,32 +37,32 @@ Outputs::Outputs(ros::NodeHandle private_nh, const std::function<void()>& subscr
       private_nh.advertise<TrackedPlaneArray>("tracked_planes", kSmallMessages, changed, changed);
 }
 
-bool Outputs::wanted() const {
+bool Outputs::subscribed() const {
   for (const ros::Publisher* publisher : {&planes_, &labels_, &cloud_, &overlay_, &markers_, &scanlines_,
                                           &cloud_without_planes_, &objects_, &tracked_planes_}) {
-    if (wantedBySomebody(*publisher)) return true;
+    if (hasSubscribers(*publisher)) return true;
   }
   return false;
 }
 
-bool Outputs::outlinesWanted() const {
-  return wantedBySomebody(planes_) || wantedBySomebody(markers_) || wantedBySomebody(tracked_planes_);
+bool Outputs::needsOutlines() const {
+  return hasSubscribers(planes_) || hasSubscribers(markers_) || hasSubscribers(tracked_planes_);
 }
 
-bool Outputs::scanlinesWanted() const { return wantedBySomebody(scanlines_); }
+bool Outputs::needsScanlines() const { return hasSubscribers(scanlines_); }
 
 void Outputs::publish(const SegmentedFrame& frame, RobotMessages& robot) const {
-  publishIfWanted(planes_, frame, planesMessage);
-  publishIfWanted(labels_, frame, labelsImage);
-  publishIfWanted(cloud_, frame, coloredCloud);
-  publishIfWanted(overlay_, frame, overlayImage);
-  robot.start(frame);
-  if (wantedBySomebody(cloud_without_planes_)) cloud_without_planes_.publish(robot.cloudWithoutPlanes());
-  if (wantedBySomebody(objects_)) objects_.publish(robot.objects());
-  if (wantedBySomebody(tracked_planes_)) {
+  publishIfSubscribed(planes_, frame, planesMessage);
+  publishIfSubscribed(labels_, frame, labelsImage);
+  publishIfSubscribed(cloud_, frame, coloredCloud);
+  publishIfSubscribed(overlay_, frame, overlayImage);
+  robot.setFrame(frame);
+  if (hasSubscribers(cloud_without_planes_)) cloud_without_planes_.publish(robot.cloudWithoutPlanes());
+  if (hasSubscribers(objects_)) objects_.publish(robot.objects());
+  if (hasSubscribers(tracked_planes_)) {
     if (const TrackedPlaneArray::Ptr message = robot.trackedPlanes()) tracked_planes_.publish(message);
   }
-  if (wantedBySomebody(markers_)) {
+  if (hasSubscribers(markers_)) {
     const visualization_msgs::MarkerArray::Ptr message = planeMarkers(frame);
     robot.addObjectMarkers(*message);
     markers_.publish(message);

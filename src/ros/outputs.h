@@ -16,7 +16,7 @@ namespace line_plane_segmentation {
 /// a shared pointer, so that subscribers in the same process receive it without a copy, and never modified
 /// afterwards. No topic is latched, since latching serialises every message.
 ///
-/// wanted() and publish() may be called from any thread.
+/// subscribed() and publish() may be called from any thread.
 class Outputs {
  public:
   /// Advertises all topics.
@@ -25,13 +25,13 @@ class Outputs {
   Outputs(ros::NodeHandle private_nh, const std::function<void()>& subscribers_changed);
 
   /// Returns true if any output has a subscriber.
-  bool wanted() const;
+  bool subscribed() const;
 
   /// Returns true if an output that contains outlines has a subscriber.
-  bool outlinesWanted() const;
+  bool needsOutlines() const;
 
-  /// Returns true if the scanlines have a subscriber. The segmenter computes them on demand only.
-  bool scanlinesWanted() const;
+  /// Returns true if ~scanlines has a subscriber. The segmenter computes them on demand only.
+  bool needsScanlines() const;
 
   /// Builds and publishes all outputs with subscribers, except the scanlines.
   /// @param robot  builds the clouds and messages of obstacles, objects and tracked planes

@@ -9,7 +9,7 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "short_text.h"
+#include "printable_text.h"
 
 namespace line_plane_segmentation {
 namespace {
@@ -38,7 +38,7 @@ void append(ConfigMessage& message, const std::string& name, const Method& value
   append(message, name, static_cast<int>(value));
 }
 
-void keepIfNan(const ConfigMessage& current, const std::string& name, double& value,
+void refuseNan(const ConfigMessage& current, const std::string& name, double& value,
                std::vector<std::string>& changes) {
   if (!std::isnan(value)) return;
   read(current, name, value);
@@ -46,7 +46,7 @@ void keepIfNan(const ConfigMessage& current, const std::string& name, double& va
 }
 
 template <typename T>
-void keepIfNan(const ConfigMessage&, const std::string&, T&, std::vector<std::string>&) {}
+void refuseNan(const ConfigMessage&, const std::string&, T&, std::vector<std::string>&) {}
 
 template <typename T>
 bool getAs(const ros::NodeHandle& nh, const std::string& name, T& value) {
@@ -77,15 +77,15 @@ void setAs(const ros::NodeHandle& nh, const std::string& name, const Method& val
   nh.setParam(name, static_cast<int>(value));
 }
 
-std::string wantedFor(bool) { return "true or false"; }
-std::string wantedFor(int) { return "a whole number"; }
-std::string wantedFor(double) { return "a number"; }
-std::string wantedFor(Method) { return "adaptive or paper"; }
+std::string expectedFor(bool) { return "true or false"; }
+std::string expectedFor(int) { return "a whole number"; }
+std::string expectedFor(double) { return "a number"; }
+std::string expectedFor(Method) { return "adaptive or paper"; }
 
 template <typename T>
 std::string problemWith(const ros::NodeHandle& nh, const std::string& name, T value, T min, T max) {
   if (!nh.hasParam(name)) return {};
-  if (!getAs(nh, name, value)) return "~" + name + " must be " + wantedFor(value) + "; ";
+  if (!getAs(nh, name, value)) return "~" + name + " must be " + expectedFor(value) + "; ";
   // A negated range test would accept NaN.
   if (value >= min && value <= max) return {};
   std::ostringstream problem;
@@ -99,7 +99,7 @@ std::string problemWithText(const ros::NodeHandle& nh, const std::string& name) 
   return !nh.hasParam(name) || nh.getParam(name, value) ? "" : "~" + name + " must be a text; ";
 }
 
-void keepIfTooLong(const std::string& name, const std::string& current, std::string& frame,
+void refuseTooLong(const std::string& name, const std::string& current, std::string& frame,
                    std::vector<std::string>& changes) {
   if (frame.size() <= kLongestFrameName) return;
   changes.push_back(name + " has more than " + std::to_string(kLongestFrameName) + " characters, it stays '" +
@@ -108,7 +108,7 @@ void keepIfTooLong(const std::string& name, const std::string& current, std::str
 }
 
 // Names what was changed without an effect on the method.
-void warnOfUnused(const ConfigMessage& current, const Parameters& parameters,
+void reportUnused(const ConfigMessage& current, const Parameters& parameters,
                   std::vector<std::string>& changes) {
   visitParameters(parameters, [&](const char* name, const auto& value, auto, auto) {
     auto before = value;
@@ -120,13 +120,14 @@ void warnOfUnused(const ConfigMessage& current, const Parameters& parameters,
 
 bool isFallback(const std::string& text) { return text == kNoTransform || text == kLatestTransform; }
 
-void keepIfUnknown(const std::string& current, std::string& fallback, std::vector<std::string>& changes) {
+void refuseUnknownFallback(const std::string& current, std::string& fallback,
+                           std::vector<std::string>& changes) {
   if (isFallback(fallback)) return;
-  changes.push_back("tf_fallback = '" + shortText(fallback) + "' was refused, it stays " + current);
+  changes.push_back("tf_fallback = '" + printableText(fallback) + "' was refused, it stays " + current);
   fallback = current;
 }
 
-void cutSlash(const std::string& name, std::string& frame, std::vector<std::string>& changes) {
+void removeLeadingSlashes(const std::string& name, std::string& frame, std::vector<std::string>& changes) {
   if (frame.empty() || frame.front() != '/') return;
   frame.erase(0, frame.find_first_not_of('/'));
   changes.push_back(name + " starts with a slash, which tf2 refuses: it is cut off");
@@ -182,7 +183,7 @@ void applyPreset(const NodeletParameters& current, NodeletParameters& requested,
   if (loadPreset(requested.preset, preset)) {
     requested.method = presetAndChanges(preset, current.method, requested.method);
   } else {
-    changes.push_back("no preset is named '" + shortText(requested.preset) + "'");
+    changes.push_back("no preset is named '" + printableText(requested.preset) + "'");
   }
 }
 
@@ -217,19 +218,19 @@ NodeletParameters reconfigured(const NodeletParameters& current, PlaneSegmenterC
 
   NodeletParameters parameters = parametersFrom(config);
   visitNodeletParameters(parameters, [&](const char* name, auto& value, auto, auto) {
-    keepIfNan(current_message, name, value, changes);
+    refuseNan(current_message, name, value, changes);
   });
   visitFrames(parameters, [&](const char* name, std::string& frame) {
     std::string before;
     visitFrames(current, [&](const std::string& other, const std::string& value) {
       if (other == name) before = value;
     });
-    keepIfTooLong(name, before, frame, changes);
-    cutSlash(name, frame, changes);
+    refuseTooLong(name, before, frame, changes);
+    removeLeadingSlashes(name, frame, changes);
   });
-  keepIfUnknown(current.location.frames.tf_fallback, parameters.location.frames.tf_fallback, changes);
+  refuseUnknownFallback(current.location.frames.tf_fallback, parameters.location.frames.tf_fallback, changes);
   if (parameters.method.method == current.method.method)
-    warnOfUnused(current_message, parameters.method, changes);
+    reportUnused(current_message, parameters.method, changes);
   applyPreset(current, parameters, changes);
   const std::vector<std::string> fixed = sanitize(parameters.method);
   changes.insert(changes.end(), fixed.begin(), fixed.end());
@@ -255,12 +256,13 @@ void checkParameterServer(const ros::NodeHandle& private_nh) {
   problems += problemWithText(private_nh, "preset");
   const std::string preset = private_nh.param<std::string>("preset", kPresets[0]);
   if (preset != kNoPreset && !loadPreset(preset, parameters.method)) {
-    problems += "~preset = '" + shortText(preset) + "' is none of kinect, short_range, paper and custom; ";
+    problems +=
+        "~preset = '" + printableText(preset) + "' is none of kinect, short_range, paper and custom; ";
   }
   if (!problems.empty()) throw std::invalid_argument(problems + "correct them and start again");
 }
 
-std::string spreadPreset(const ros::NodeHandle& private_nh) {
+std::string expandPreset(const ros::NodeHandle& private_nh) {
   // dynamic_reconfigure reads a number alone.
   Method method{};
   if (private_nh.hasParam("method") && getAs(private_nh, "method", method)) {

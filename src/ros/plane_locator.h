@@ -19,9 +19,9 @@
 
 namespace line_plane_segmentation {
 
-/// Results of the tf lookups for one image. A lookup that was not needed counts as found, with the
-/// identity.
-struct CameraPlaces {
+/// Poses of the camera for one image, as results of tf lookups. The lookup of an unused frame is the identity
+/// and counts as found.
+struct CameraPoses {
   TransformLookup target;
   TransformLookup gravity;
   TransformLookup fixed;
@@ -29,8 +29,8 @@ struct CameraPlaces {
   static constexpr std::size_t kCount = 3;
   std::array<const TransformLookup*, kCount> all() const { return {&target, &gravity, &fixed}; }
 
-  /// Returns true if any lookup has this answer.
-  bool has(TransformLookup::Answer answer) const;
+  /// Returns true if any lookup has this status.
+  bool has(TransformLookup::Status status) const;
 };
 
 /// Computes target-frame coordinates, orientation and ids of the planes of consecutive images. Never waits
@@ -40,31 +40,31 @@ class PlaneLocator {
   /// @param transforms  must outlive this
   explicit PlaneLocator(tf2::BufferCore& transforms) : transforms_(transforms) {}
 
-  /// Takes effect with the next image.
+  /// Sets the parameters for the next images.
   void setParameters(const LocationParameters& parameters);
   const LocationParameters& parameters() const { return parameters_; }
 
   /// Looks up the transforms needed for an image. Can be called repeatedly.
-  CameraPlaces lookUp(const std_msgs::Header& header) const;
+  CameraPoses lookUp(const std_msgs::Header& header) const;
 
-  /// Replaces what was not found by the newest that tf knows, if tf_fallback says so.
-  void fallBack(const std_msgs::Header& header, CameraPlaces& places) const;
+  /// If tf_fallback is "latest", replaces poses that were not found by the newest known ones.
+  void fallBack(const std_msgs::Header& header, CameraPoses& poses) const;
 
-  /// Computes what is published for the planes. Ids restart if timestamps jump back, or forward by more
-  /// than a minute.
+  /// Computes ids, orientations and target-frame coordinates of the planes. Ids restart if timestamps jump
+  /// back, or forward by more than a minute.
   /// @param header  header of the image, its frame_id without a leading slash
-  /// @param places  result of lookUp(), with the target found
+  /// @param poses   result of lookUp(), in which the target is found
   /// @return the published planes, valid until the next call
   const PublishedPlanes& locate(const Segmentation& segmentation, const CameraIntrinsics& camera,
-                                const std_msgs::Header& header, const CameraPlaces& places);
+                                const std_msgs::Header& header, const CameraPoses& poses);
 
-  /// Number of planes of the last image that are too many to be tracked.
+  /// Returns the number of planes of the last image beyond the tracker's limit.
   std::size_t untracked() const { return tracker_.untracked(); }
 
  private:
   static std::optional<Eigen::Isometry3d> poseIn(const std::string& frame, const TransformLookup& lookup);
-  std::optional<Eigen::Isometry3d> motionTo(const CameraPlaces& places);
-  bool isAnotherTime(const ros::Time& stamp) const;
+  std::optional<Eigen::Isometry3d> updateMotion(const CameraPoses& poses);
+  bool isTimeJump(const ros::Time& stamp) const;
 
   tf2::BufferCore& transforms_;
   LocationParameters parameters_;

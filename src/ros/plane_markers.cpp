@@ -7,10 +7,10 @@
 #include <utility>
 #include <vector>
 
-#include "label_anchor.h"
 #include "line_plane_segmentation/ros/conversions.h"
 #include "marker_tools.h"
-#include "text_layout.h"
+#include "text_anchor.h"
+#include "text_overlap.h"
 
 namespace line_plane_segmentation {
 namespace {
@@ -20,18 +20,18 @@ using visualization_msgs::Marker;
 // All rings of a plane as one LINE_LIST marker.
 Marker outlineMarker(const SegmentedFrame& frame, const PublishedPlane& published) {
   // The plane's own colour would be invisible on the cloud.
-  constexpr float kWhitened = 0.6F;
+  constexpr float kWhiteFraction = 0.6F;
   const SegmentedPlane& plane = published.plane;
   Marker marker = makeMarker(frame.published.header, "outlines", published.id, Marker::LINE_LIST);
-  marker.color = toRgba(colorOf(published.id), kWhitened);
+  marker.color = toRgba(colorOf(published.id), kWhiteFraction);
   marker.scale.x = kLineWidth;
   const std::vector<Eigen::Vector3f>& vertices = frame.published.vertices;
   for (int r = 0; r < plane.outer_ring_count + plane.hole_count; ++r) {
-    const Ring& ring = frame.segmentation.rings[static_cast<std::size_t>(plane.first_ring + r)];
+    const Ring& ring = frame.segmentation.rings[plane.first_ring + r];
     for (int i = 0; i < ring.vertex_count; ++i) {
       const int next = (i + 1) % ring.vertex_count;
-      marker.points.push_back(pointOf(vertices[static_cast<std::size_t>(ring.first_vertex + i)]));
-      marker.points.push_back(pointOf(vertices[static_cast<std::size_t>(ring.first_vertex + next)]));
+      marker.points.push_back(pointOf(vertices[ring.first_vertex + i]));
+      marker.points.push_back(pointOf(vertices[ring.first_vertex + next]));
     }
   }
   return marker;
@@ -39,22 +39,22 @@ Marker outlineMarker(const SegmentedFrame& frame, const PublishedPlane& publishe
 
 // Start of the normal's arrow, in the frame of the messages: the intersection of the anchor's ray with the
 // plane, or the centroid if there is no anchor.
-Eigen::Vector3d footOf(const SegmentedFrame& frame, const PublishedPlane& published,
-                       const LabelAnchor& anchor) {
+Eigen::Vector3d arrowStart(const SegmentedFrame& frame, const PublishedPlane& published,
+                           const TextAnchor& anchor) {
   const SegmentedPlane& seen = frame.segmentation.planes[published.plane.label - std::size_t{1}];
   const CameraIntrinsics& camera = frame.camera;
   const Eigen::Vector3d ray((anchor.u - camera.cx) / camera.fx, (anchor.v - camera.cy) / camera.fy, 1.0);
   const double toward = -seen.normal.dot(ray);
   if (!anchor.found || toward <= 0.0) return published.plane.centroid;
-  return frame.published.placement * (seen.d / toward * ray);
+  return frame.published.target_from_optical * (seen.d / toward * ray);
 }
 
 Marker normalMarker(const std_msgs::Header& header, const PublishedPlane& published,
-                    const Eigen::Vector3d& foot) {
-  constexpr float kWhitened = 0.6F;
-  Marker marker = makeArrow(header, "normals", published.id, foot, published.plane.normal,
+                    const Eigen::Vector3d& start) {
+  constexpr float kWhiteFraction = 0.6F;
+  Marker marker = makeArrow(header, "normals", published.id, start, published.plane.normal,
                             arrowLength(published.plane.area));
-  marker.color = toRgba(colorOf(published.id), kWhitened);
+  marker.color = toRgba(colorOf(published.id), kWhiteFraction);
   return marker;
 }
 
@@ -81,9 +81,10 @@ double textHeight(const SegmentedPlane& plane, double distance) {
 Eigen::Vector3d textOffset(const SegmentedFrame& frame, const SegmentedPlane& plane, double height) {
   const double half_height = 1.2 * height;  // height of two lines
   const double half_width = 4.0 * height;
-  constexpr double kGap = 0.03;                                     // [m]
-  constexpr double kAbout = 0.35;                                   // [rad]
-  const Eigen::Matrix3d axes = frame.published.placement.linear();  // image axes: right, down, forward
+  constexpr double kGap = 0.03;    // [m]
+  constexpr double kAbout = 0.35;  // [rad]
+  const Eigen::Matrix3d axes =
+      frame.published.target_from_optical.linear();  // image axes: right, down, forward
   const Eigen::Vector3d slope = (axes.transpose() * plane.normal).cwiseAbs();
   const double sinks = half_width * (slope.x() + kAbout * slope.z()) + half_height * slope.y();
   const Eigen::Vector3d down = axes.col(1);
@@ -92,16 +93,16 @@ Eigen::Vector3d textOffset(const SegmentedFrame& frame, const SegmentedPlane& pl
 }
 
 // The id alone where the whole text would cover a larger plane's; an empty text where that would, too.
-Marker textMarker(const SegmentedFrame& frame, const PublishedPlane& published, const Eigen::Vector3d& foot,
-                  TextLayout& layout) {
-  const Eigen::Isometry3d optical_from_published = frame.published.placement.inverse();
+Marker textMarker(const SegmentedFrame& frame, const PublishedPlane& published, const Eigen::Vector3d& start,
+                  TextOverlapFilter& overlap_filter) {
+  const Eigen::Isometry3d optical_from_published = frame.published.target_from_optical.inverse();
   Marker marker = makeMarker(frame.published.header, "ids", published.id, Marker::TEXT_VIEW_FACING);
   marker.color = toRgba({255, 255, 255});
-  marker.scale.z = textHeight(published.plane, (optical_from_published * foot).norm());
-  const Eigen::Vector3d position = foot + textOffset(frame, published.plane, marker.scale.z);
+  marker.scale.z = textHeight(published.plane, (optical_from_published * start).norm());
+  const Eigen::Vector3d position = start + textOffset(frame, published.plane, marker.scale.z);
   marker.pose.position = pointOf(position);
   for (const std::string& text : {textOf(published), std::to_string(published.id)}) {
-    if (!layout.reserve(optical_from_published * position, marker.scale.z, text)) continue;
+    if (!overlap_filter.addIfFree(optical_from_published * position, marker.scale.z, text)) continue;
     marker.text = text;
     break;
   }
@@ -113,14 +114,15 @@ Marker textMarker(const SegmentedFrame& frame, const PublishedPlane& published, 
 visualization_msgs::MarkerArray::Ptr planeMarkers(const SegmentedFrame& frame) {
   const std_msgs::Header& header = frame.published.header;
   visualization_msgs::MarkerArray::Ptr message = makeMarkerArray(header);
-  const std::vector<LabelAnchor> anchors = labelAnchors(frame.segmentation);
-  TextLayout layout(frame.camera);
+  const std::vector<TextAnchor> anchors = textAnchors(frame.segmentation);
+  TextOverlapFilter overlap_filter(frame.camera);
   for (const PublishedPlane& published : frame.published.planes) {
-    const Eigen::Vector3d foot = footOf(frame, published, anchors[published.plane.label - std::size_t{1}]);
+    const Eigen::Vector3d start =
+        arrowStart(frame, published, anchors[published.plane.label - std::size_t{1}]);
     Marker outline = outlineMarker(frame, published);
     if (!outline.points.empty()) message->markers.push_back(std::move(outline));
-    message->markers.push_back(normalMarker(header, published, foot));
-    Marker text = textMarker(frame, published, foot, layout);
+    message->markers.push_back(normalMarker(header, published, start));
+    Marker text = textMarker(frame, published, start, overlap_filter);
     if (!text.text.empty()) message->markers.push_back(std::move(text));
   }
   return message;

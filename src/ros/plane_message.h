@@ -7,10 +7,10 @@
 
 namespace line_plane_segmentation {
 
-/// All of a plane's message but its polygons.
+/// Returns the message of a plane without its polygons.
 Plane planeWithoutPolygons(const PublishedPlane& published);
 
-/// Writes normal, d and covariance.
+/// Writes normal, d [m] and covariance into the message.
 void setCoefficients(const Eigen::Vector3d& normal, double d, const Eigen::Matrix4d& covariance,
                      Plane& message);
 

@@ -11,8 +11,9 @@
 
 namespace line_plane_segmentation {
 
-/// Writes the polygons of a plane into its message: outline, other parts and holes with their parts.
-/// @param plane  a plane of `segmentation`, in any frame
+/// Writes the polygons of a plane into its message: outline, other parts, and holes with the index of their
+/// part.
+/// @param plane       a plane of `segmentation`, in any frame
 /// @param positionOf  returns the vertex with an index into Segmentation::vertices, as an Eigen vector
 template <typename PositionOf>
 void addPolygons(const Segmentation& segmentation, const SegmentedPlane& plane, PositionOf&& positionOf,
@@ -31,7 +32,7 @@ void addPolygons(const Segmentation& segmentation, const SegmentedPlane& plane, 
     return polygon;
   };
   for (int i = 0; i < plane.outer_ring_count + plane.hole_count; ++i) {
-    const Ring& ring = segmentation.rings[static_cast<std::size_t>(plane.first_ring + i)];
+    const Ring& ring = segmentation.rings[plane.first_ring + i];
     if (i == 0) {
       message.outline = polygonOf(ring);
     } else if (i < plane.outer_ring_count) {

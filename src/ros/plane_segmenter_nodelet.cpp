@@ -10,7 +10,7 @@
 
 #include "camera_subscription.h"
 #include "cloud_subscription.h"
-#include "contain_exceptions.h"
+#include "log_exceptions.h"
 #include "start_parameters.h"
 #include "status_report.h"
 
@@ -38,7 +38,7 @@ void PlaneSegmenterNodelet::onInit() {
       failure_ = exception.what();
       ROS_ERROR("[%s] does not start: %s", getName().c_str(), failure_.c_str());
     }
-    dropBadDiagnosticPeriod(getPrivateNodeHandle());
+    removeInvalidDiagnosticPeriod(getPrivateNodeHandle());
     updater_ =
         std::make_unique<diagnostic_updater::Updater>(getNodeHandle(), getPrivateNodeHandle(), getName());
     updater_->setHardwareID("none");
@@ -46,27 +46,27 @@ void PlaneSegmenterNodelet::onInit() {
     // Updater::update() stops reporting when simulated time jumps back.
     report_timer_ =
         getNodeHandle().createWallTimer(ros::WallDuration(1.0), [this](const ros::WallTimerEvent&) {
-          containExceptions(getName(), [this] { updater_->force_update(); });
+          logExceptions(getName(), [this] { updater_->force_update(); });
         });
   } catch (const std::exception& exception) {
     ROS_ERROR("[%s] does not start: %s", getName().c_str(), exception.what());
   }
-  containExceptions(getName(), [this] { updateSubscription(); });
+  logExceptions(getName(), [this] { updateSubscription(); });
 }
 
 void PlaneSegmenterNodelet::start() {
   ros::NodeHandle& nh = getNodeHandle();
   ros::NodeHandle& private_nh = getPrivateNodeHandle();
   checkParameterServer(private_nh);
-  parameters_.preset = spreadPreset(private_nh);
+  parameters_.preset = expandPreset(private_nh);
   const StartParameters start = readStartParameters(private_nh);
 
   outputs_ = std::make_unique<Outputs>(
-      private_nh, [this] { containExceptions(getName(), [this] { updateSubscription(); }); });
+      private_nh, [this] { logExceptions(getName(), [this] { updateSubscription(); }); });
   transforms_ = std::make_unique<TransformListener>(nh);
   processor_ = std::make_unique<FrameProcessor>(
       getName(), start.limits, static_cast<std::size_t>(start.queue_size), *outputs_, *transforms_);
-  const InputSource::Handler push = [this](CameraFrame frame) { processor_->queue().push(std::move(frame)); };
+  const InputSource::Handler push = [this](InputFrame frame) { processor_->queue().push(std::move(frame)); };
   if (start.clouds) {
     subscription_ = std::make_unique<CloudSubscription>(nh, start.queue_size, push);
   } else {
@@ -74,7 +74,7 @@ void PlaneSegmenterNodelet::start() {
   }
   reconfigure_server_ = std::make_unique<dynamic_reconfigure::Server<PlaneSegmenterConfig>>(private_nh);
   reconfigure_server_->setCallback([this](PlaneSegmenterConfig& config, std::uint32_t) {
-    containExceptions(getName(), [&] { reconfigure(config); });
+    logExceptions(getName(), [&] { reconfigure(config); });
   });
 }
 
@@ -114,7 +114,7 @@ void PlaneSegmenterNodelet::logChanges(const std::vector<std::string>& changes) 
 
 void PlaneSegmenterNodelet::updateSubscription() {
   const std::lock_guard<std::mutex> lock(connect_mutex_);
-  if (!subscription_ || outputs_->wanted() == subscription_->subscribed()) return;
+  if (!subscription_ || outputs_->subscribed() == subscription_->subscribed()) return;
   if (subscription_->subscribed()) {
     subscription_->unsubscribe();
     processor_->queue().clear();
@@ -136,7 +136,7 @@ void PlaneSegmenterNodelet::reportStatus(diagnostic_updater::DiagnosticStatusWra
   NodeletStatus status;
   status.failure = failure_;
   if (subscription_) {
-    status.wanted = outputs_->wanted();
+    status.subscribed = outputs_->subscribed();
     status.topics = subscription_->topics();
     status.input = subscription_->times();
     status.dropped = processor_->queue().dropped();

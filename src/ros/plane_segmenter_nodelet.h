@@ -43,13 +43,13 @@ class PlaneSegmenterNodelet : public nodelet::Nodelet {
   // Held while the members below are created, so that the callback of a subscriber that connects meanwhile
   // finds all of them.
   std::mutex connect_mutex_;
-  std::string failure_;  // why the nodelet does not run; empty if it runs
+  std::string failure_;  // reason why the nodelet does not run; empty if it runs
   NodeletParameters parameters_;
   std::uint64_t reported_dropped_ = 0;
   std::uint64_t reported_lost_ = 0;
   std::uint64_t reported_late_ = 0;
   std::chrono::steady_clock::time_point changes_since_;
-  std::size_t logged_changes_ = 0;  // since then
+  std::size_t logged_changes_ = 0;  // since changes_since_
 
   // Order matters: each member uses the ones above it.
   std::unique_ptr<Outputs> outputs_;

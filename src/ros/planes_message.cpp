@@ -33,7 +33,7 @@ void setCoefficients(const Eigen::Vector3d& normal, double d, const Eigen::Matri
   message.coefficients.coef = {normal.x(), normal.y(), normal.z(), d};
   for (int row = 0; row < 4; ++row) {
     for (int column = 0; column < 4; ++column) {
-      message.covariance[static_cast<std::size_t>(4 * row + column)] = covariance(row, column);
+      message.covariance[4 * row + column] = covariance(row, column);
     }
   }
 }

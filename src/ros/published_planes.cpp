@@ -35,13 +35,13 @@ void publishPlanes(const Segmentation& segmentation, const std::vector<std::uint
     const Orientation orientation = up ? orientationOf(plane.normal, *up, tolerance) : Orientation::kUnknown;
     published.orientations.push_back(orientation);
     if (!isPublished(parameters, orientation)) continue;
-    published.planes.push_back({transformed(plane, published.placement), ids[k], orientation});
+    published.planes.push_back({transformed(plane, published.target_from_optical), ids[k], orientation});
   }
 
-  const Eigen::Isometry3d& placement = published.placement;
+  const Eigen::Isometry3d& target_from_optical = published.target_from_optical;
   published.vertices.clear();
   for (const Eigen::Vector3f& vertex : segmentation.vertices) {
-    published.vertices.push_back((placement * vertex.cast<double>()).cast<float>());
+    published.vertices.push_back((target_from_optical * vertex.cast<double>()).cast<float>());
   }
 }
 

@@ -17,7 +17,7 @@ void RobotMessages::setParameters(const RobotParameters& robot, const NoiseParam
   tracking_ = tracking;
 }
 
-void RobotMessages::start(const SegmentedFrame& frame) {
+void RobotMessages::setFrame(const SegmentedFrame& frame) {
   frame_ = &frame;
   objects_ = nullptr;
 }
@@ -26,7 +26,7 @@ sensor_msgs::PointCloud2::Ptr RobotMessages::cloudWithoutPlanes() const {
   return line_plane_segmentation::cloudWithoutPlanes(*frame_, robot_.obstacles);
 }
 
-const std::vector<DetectedObject>& RobotMessages::detected() {
+const std::vector<DetectedObject>& RobotMessages::detectedObjects() {
   if (objects_ != nullptr) return *objects_;
   const DepthScene scene{frame_->depth, frame_->range, frame_->camera, frame_->segmentation};
   objects_ = &detector_.detect(scene, supportsOf(*frame_), robot_.objects, noise_);
@@ -34,17 +34,18 @@ const std::vector<DetectedObject>& RobotMessages::detected() {
 }
 
 SupportedObjectArray::Ptr RobotMessages::objects() {
-  if (!frame_->published.poses.gravity_is_wanted) {
-    ROS_WARN_THROTTLE(kWarningPeriod,
-                      "[%s] no objects are detected: set ~gravity_frame, so that horizontal planes are known",
-                      name_.c_str());
+  if (!frame_->published.poses.gravity_frame_is_set) {
+    ROS_WARN_THROTTLE(
+        kWarningPeriod,
+        "[%s] no objects are detectedObjects: set ~gravity_frame, so that horizontal planes are known",
+        name_.c_str());
   }
-  const std::vector<DetectedObject>& objects = detected();
+  const std::vector<DetectedObject>& objects = detectedObjects();
   return objectsMessage(*frame_, objects, detector_.supports());
 }
 
 void RobotMessages::addObjectMarkers(visualization_msgs::MarkerArray& markers) {
-  line_plane_segmentation::addObjectMarkers(*frame_, detected(), markers);
+  line_plane_segmentation::addObjectMarkers(*frame_, detectedObjects(), markers);
 }
 
 TrackedPlaneArray::Ptr RobotMessages::trackedPlanes() {

@@ -14,28 +14,29 @@
 
 namespace line_plane_segmentation {
 
-/// Makes the messages for a robot's use: obstacles, objects, fused planes. Each is computed only when it is
-/// requested, the objects once per frame. Not thread-safe.
+/// Builds the messages for robots: obstacle cloud, objects, fused planes. Each is computed on request,
+/// objects once per frame. Not thread-safe.
 class RobotMessages {
  public:
-  /// @param name  of the nodelet, for the log
+  /// @param name  name of the nodelet, for the log
   explicit RobotMessages(const std::string& name) : name_(name) {}
 
   void setParameters(const RobotParameters& robot, const NoiseParameters& noise,
                      const TrackingParameters& tracking);
 
-  /// Starts a frame. The frame must outlive all calls below until the next one.
-  void start(const SegmentedFrame& frame);
+  /// Selects the frame of the calls below. It must stay valid until the next call of setFrame().
+  void setFrame(const SegmentedFrame& frame);
 
   sensor_msgs::PointCloud2::Ptr cloudWithoutPlanes() const;
   SupportedObjectArray::Ptr objects();
   void addObjectMarkers(visualization_msgs::MarkerArray& markers);
 
+  /// Fuses the frame's planes.
   /// @return null if the camera's pose in the fixed frame is unknown
   TrackedPlaneArray::Ptr trackedPlanes();
 
  private:
-  const std::vector<DetectedObject>& detected();
+  const std::vector<DetectedObject>& detectedObjects();
 
   std::string name_;
   RobotParameters robot_;
@@ -43,7 +44,7 @@ class RobotMessages {
   TrackingParameters tracking_;
   const SegmentedFrame* frame_ = nullptr;
   ObjectDetector detector_;
-  const std::vector<DetectedObject>* objects_ = nullptr;  // of this frame, once they are detected
+  const std::vector<DetectedObject>* objects_ = nullptr;  // objects of this frame; null until detectedObjects
   TrackedPlanes tracked_planes_;
 };
 

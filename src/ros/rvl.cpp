@@ -10,9 +10,10 @@ namespace {
 
 // Numbers of variable length: three bits in each nibble, whose highest bit says that more follow. A word
 // holds eight nibbles, the first in its highest bits.
-class Nibbles {
+class NibbleReader {
  public:
-  Nibbles(const std::uint8_t* data, std::size_t size) : data_(data), words_(size / sizeof(std::uint32_t)) {}
+  NibbleReader(const std::uint8_t* data, std::size_t size)
+      : data_(data), words_(size / sizeof(std::uint32_t)) {}
 
   bool next(std::uint32_t& value) {
     value = 0;
@@ -48,7 +49,7 @@ class Nibbles {
 
 bool decodeRvl(const std::uint8_t* data, std::size_t size, std::size_t pixels, std::uint16_t* depth) {
   std::fill_n(depth, pixels, std::uint16_t{0});
-  Nibbles nibbles(data, size);
+  NibbleReader nibbles(data, size);
   std::uint32_t previous = 0;
   for (std::size_t i = 0; i < pixels;) {
     std::uint32_t zeros = 0;

@@ -66,8 +66,8 @@ class LineDrawer {
   }
 
   void add(const Eigen::Vector3d& from, const Eigen::Vector3d& to, Marker& marker) const {
-    marker.points.push_back(pointOf(frame_.published.placement * from));
-    marker.points.push_back(pointOf(frame_.published.placement * to));
+    marker.points.push_back(pointOf(frame_.published.target_from_optical * from));
+    marker.points.push_back(pointOf(frame_.published.target_from_optical * to));
   }
 
   const SegmentedFrame& frame_;

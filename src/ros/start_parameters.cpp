@@ -11,7 +11,7 @@ constexpr char kPeriod[] = "diagnostic_period";
 constexpr double kShortestPeriod = 0.0;    // [s]
 constexpr double kLongestPeriod = 3600.0;  // [s]
 
-// roscpp takes a parameter of the wrong type for one that is not set.
+// roscpp treats a parameter of the wrong type as not set.
 int readInt(const ros::NodeHandle& nh, const std::string& name, int fallback, int min, int max) {
   int value = fallback;
   const bool given = nh.hasParam(name);
@@ -26,7 +26,7 @@ double readDouble(const ros::NodeHandle& nh, const std::string& name, double fal
                   double max) {
   double value = fallback;
   const bool given = nh.hasParam(name);
-  // Not "outside", which a NaN is not.
+  // Negated, so that NaN is refused.
   if ((given && !nh.getParam(name, value)) || !(value >= min && value <= max)) {
     std::ostringstream problem;
     problem << "~" << name << " must be a number from " << min << " to " << max;
@@ -53,12 +53,12 @@ InfoMatching readMatching(const ros::NodeHandle& nh) {
   return *matching;
 }
 
-Rectify readRectify(const ros::NodeHandle& nh) {
+RectificationMode readRectificationMode(const ros::NodeHandle& nh) {
   bool value = false;
-  if (nh.getParam("rectify", value)) return value ? Rectify::kAlways : Rectify::kNever;
+  if (nh.getParam("rectify", value)) return value ? RectificationMode::kAlways : RectificationMode::kNever;
   std::string name = "auto";
   const bool readable = !nh.hasParam("rectify") || nh.getParam("rectify", name);
-  const std::optional<Rectify> rectify = rectifyOf(name);
+  const std::optional<RectificationMode> rectify = rectificationModeOf(name);
   if (!readable || !rectify) throw std::invalid_argument("~rectify must be auto, true or false");
   return *rectify;
 }
@@ -70,7 +70,7 @@ StartParameters readStartParameters(const ros::NodeHandle& private_nh) {
   parameters.clouds = readsClouds(private_nh);
   parameters.queue_size = readInt(private_nh, "queue_size", parameters.queue_size, 1, 1000);
   parameters.info_matching = readMatching(private_nh);
-  parameters.rectify = readRectify(private_nh);
+  parameters.rectify = readRectificationMode(private_nh);
   InputLimits& limits = parameters.limits;
   limits.max_pixels = static_cast<std::uint64_t>(
       readInt(private_nh, "max_pixels", static_cast<int>(limits.max_pixels), 1, 1 << 28));
@@ -83,7 +83,7 @@ std::vector<std::string> startParameterNames() {
   return {"input", "queue_size", "max_pixels", "info_matching", "depth_unit", "rectify"};
 }
 
-void dropBadDiagnosticPeriod(const ros::NodeHandle& private_nh) {
+void removeInvalidDiagnosticPeriod(const ros::NodeHandle& private_nh) {
   try {
     readDouble(private_nh, kPeriod, 1.0, kShortestPeriod, kLongestPeriod);
   } catch (const std::invalid_argument&) {

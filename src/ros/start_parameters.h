@@ -8,27 +8,27 @@
 
 #include "info_matcher.h"
 #include "line_plane_segmentation/ros/image_validation.h"
-#include "rectify.h"
+#include "rectification_mode.h"
 
 namespace line_plane_segmentation {
 
-/// What is set before the nodelet starts, and stays.
+/// Parameters that are read once, when the nodelet starts.
 struct StartParameters {
-  bool clouds = false;  ///< reads point clouds in the place of images
-  int queue_size = 10;  ///< messages that wait at most
+  bool clouds = false;  ///< subscribe to a point cloud instead of images
+  int queue_size = 10;  ///< largest number of waiting messages
   InfoMatching info_matching = InfoMatching::kAuto;
-  Rectify rectify = Rectify::kAuto;
+  RectificationMode rectify = RectificationMode::kAuto;
   InputLimits limits;
 };
 
-/// Reads them, and looks at diagnostic_period, which is diagnostic_updater's own.
-/// @throw std::invalid_argument that names the first one of the wrong type or out of bounds
+/// Reads the start parameters, and checks diagnostic_period, which diagnostic_updater reads itself.
+/// @throw std::invalid_argument with the name of the first parameter of the wrong type or out of bounds
 StartParameters readStartParameters(const ros::NodeHandle& private_nh);
 
-/// The names of the start parameters.
+/// Returns the names of the start parameters.
 std::vector<std::string> startParameterNames();
 
-/// Deletes a diagnostic_period that diagnostic_updater could not work with.
-void dropBadDiagnosticPeriod(const ros::NodeHandle& private_nh);
+/// Deletes diagnostic_period from the parameter server if diagnostic_updater cannot use its value.
+void removeInvalidDiagnosticPeriod(const ros::NodeHandle& private_nh);
 
 }  // namespace line_plane_segmentation

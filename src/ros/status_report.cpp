@@ -12,8 +12,8 @@ namespace {
 using diagnostic_msgs::DiagnosticStatus;
 using TimePoint = InputTimes::TimePoint;
 
-constexpr std::chrono::seconds kPatience(10);      // before missing input is a warning
-constexpr std::chrono::milliseconds kPause(1500);  // longer than between two images of any depth camera
+constexpr std::chrono::seconds kPatience(10);      // time after which missing input is a warning
+constexpr std::chrono::milliseconds kPause(1500);  // longer than the image period of any depth camera
 
 struct Summary {
   unsigned char level;
@@ -25,7 +25,7 @@ std::string lateInfos(const NodeletStatus& status) {
          " arrives more than queue_size images after its image. Raise ~queue_size";
 }
 
-// Describes what is missing for the first or next pair of image and camera_info.
+// Returns which input is missing for the first or next frame.
 std::string missingInput(const NodeletStatus& status, std::chrono::milliseconds patience, TimePoint now) {
   const auto recent = [&](TimePoint time) { return time != TimePoint{} && now - time < patience; };
   if (!status.topics.cloud.empty()) return "waiting for point clouds on " + status.topics.cloud;
@@ -36,9 +36,36 @@ std::string missingInput(const NodeletStatus& status, std::chrono::milliseconds 
          status.topics.image + ": none has one";
 }
 
+// State of a segmenter that receives frames and processes them without errors.
+Summary summarizeFrames(const NodeletStatus& status, TimePoint now) {
+  const FrameReport& frames = status.frames;
+  if (status.newly_dropped > 0) {
+    return {DiagnosticStatus::WARN,
+            "input is faster than processing: " + std::to_string(status.newly_dropped) + " frames dropped"};
+  }
+  if (status.newly_late > 0) return {DiagnosticStatus::WARN, lateInfos(status)};
+  if (status.newly_lost > 0) {
+    return {DiagnosticStatus::WARN, std::to_string(status.newly_lost) + " images lost: no camera_info on " +
+                                        status.topics.info + " has their stamp"};
+  }
+  if (frames.frames == 0 && now - status.input.frame >= kPause) {
+    return {DiagnosticStatus::OK,
+            "segmenting, but no frame since the last report: " + missingInput(status, kPause, now)};
+  }
+  if (frames.frames > 0 && frames.valid_fraction == 0.0) {
+    return {DiagnosticStatus::WARN, "no pixel has a depth within min_range and max_range"};
+  }
+  if (frames.planes > 0.0 && frames.published_planes == 0.0) {
+    return {DiagnosticStatus::OK,
+            "segmenting, but all planes are left out of the outputs: see publish_horizontal_up "
+            "and its like, and gravity_frame"};
+  }
+  return {DiagnosticStatus::OK, "segmenting"};
+}
+
 Summary summarize(const NodeletStatus& status, TimePoint now) {
   if (!status.failure.empty()) return {DiagnosticStatus::ERROR, status.failure};
-  if (!status.wanted) return {DiagnosticStatus::OK, "nobody subscribes to my outputs: idle"};
+  if (!status.subscribed) return {DiagnosticStatus::OK, "nobody subscribes to my outputs: idle"};
 
   const TimePoint alive = std::max(status.input.subscribed, status.input.frame);
   const bool late = now - alive >= kPatience;
@@ -56,28 +83,7 @@ Summary summarize(const NodeletStatus& status, TimePoint now) {
   if (!frames.last_problem.empty()) {
     return {DiagnosticStatus::ERROR, "processing failed: " + frames.last_problem};
   }
-  if (status.newly_dropped > 0) {
-    return {DiagnosticStatus::WARN,
-            "input is faster than processing: " + std::to_string(status.newly_dropped) + " frames dropped"};
-  }
-  if (status.newly_late > 0) return {DiagnosticStatus::WARN, lateInfos(status)};
-  if (status.newly_lost > 0) {
-    return {DiagnosticStatus::WARN, std::to_string(status.newly_lost) + " images lost: no camera_info on " +
-                                        status.topics.info + " has their stamp"};
-  }
-  if (frames.frames == 0 && now - status.input.frame >= kPause) {
-    return {DiagnosticStatus::OK,
-            "segmenting, but no frame since the last report: " + missingInput(status, kPause, now)};
-  }
-  if (frames.frames > 0 && frames.valid_share == 0.0) {
-    return {DiagnosticStatus::WARN, "no pixel has a depth within min_range and max_range"};
-  }
-  if (frames.planes > 0.0 && frames.published_planes == 0.0) {
-    return {DiagnosticStatus::OK,
-            "segmenting, but all planes are left out of the outputs: see publish_horizontal_up "
-            "and its like, and gravity_frame"};
-  }
-  return {DiagnosticStatus::OK, "segmenting"};
+  return summarizeFrames(status, now);
 }
 
 }  // namespace
@@ -117,12 +123,12 @@ void report(const NodeletStatus& status, TimePoint now,
   diagnostics.add("planes not tracked", frames.total_untracked);
   diagnostics.addf("planes a frame", "%.2f", frames.planes);
   diagnostics.addf("planes published a frame", "%.2f", frames.published_planes);
-  diagnostics.addf("pixels with depth [%]", "%.1f", 100.0 * frames.valid_share);
+  diagnostics.addf("pixels with depth [%]", "%.1f", 100.0 * frames.valid_fraction);
   diagnostics.addf("time a frame [ms]", "%.2f", frames.milliseconds);
   diagnostics.addf("time of the slowest frame [ms]", "%.2f", frames.max_milliseconds);
   for (int i = 0; i < kStageCount; ++i) {
     diagnostics.addf(std::string("time of ") + nameOf(static_cast<Stage>(i)) + " [ms]", "%.2f",
-                     frames.stage_milliseconds[static_cast<std::size_t>(i)]);
+                     frames.stage_milliseconds[i]);
   }
   diagnostics.addf("time of outputs [ms]", "%.2f", frames.output_milliseconds);
 }

@@ -14,10 +14,10 @@
 namespace line_plane_segmentation {
 namespace {
 
-// Planes that are not visible, at most: as many as the tracker remembers.
+// Largest number of invisible planes, as in PlaneTracker.
 constexpr std::size_t kMaxHiddenPlanes = 128;
 
-constexpr double kLongestPause = 60.0;  // [s] ids start anew after a longer one
+constexpr double kLongestPause = 60.0;  // [s] ids restart after a longer pause
 
 void writeFilter(const PlaneTrackFilter& filter, TrackedPlane& message) {
   setCoefficients(filter.normal(), filter.d(), filter.covariance(), message.plane);
@@ -26,7 +26,7 @@ void writeFilter(const PlaneTrackFilter& filter, TrackedPlane& message) {
 
 }  // namespace
 
-void TrackedPlanes::forget(const ros::Time& stamp, double memory) {
+void TrackedPlanes::removeHidden(const ros::Time& stamp, double memory) {
   std::vector<std::pair<ros::Time, std::uint32_t>> hidden;
   for (const auto& [id, track] : tracks_) {
     if (!track.message.visible) hidden.emplace_back(track.message.last_seen, id);
@@ -38,8 +38,8 @@ void TrackedPlanes::forget(const ros::Time& stamp, double memory) {
   }
 }
 
-void TrackedPlanes::observe(const SegmentedFrame& frame, const PublishedPlane& published, double seconds,
-                            const FusionParameters& parameters) {
+void TrackedPlanes::updateTrack(const SegmentedFrame& frame, const PublishedPlane& published, double seconds,
+                                const FusionParameters& parameters) {
   const Eigen::Isometry3d& fixed_from_optical = *frame.published.poses.fixed_from_optical;
   const ros::Time& stamp = frame.header.stamp;
   // In the optical frame, where its covariance is smallest.
@@ -75,7 +75,7 @@ TrackedPlaneArray::Ptr TrackedPlanes::fuse(const SegmentedFrame& frame, const Fu
   const FramePoses& poses = frame.published.poses;
   if (!poses.fixed_from_optical) return nullptr;
   const ros::Time& stamp = frame.header.stamp;
-  // Not as a difference of times, which throws where it is too large.
+  // Computed in double, because ros::Time::operator- throws if the difference is too large.
   const double seconds = last_stamp_ ? stamp.toSec() - last_stamp_->toSec() : 0.0;
   // Without tracking, an id is a label, which changes from image to image.
   if (!tracking.track_planes || seconds < 0.0 || seconds > kLongestPause ||
@@ -87,12 +87,12 @@ TrackedPlaneArray::Ptr TrackedPlanes::fuse(const SegmentedFrame& frame, const Fu
 
   for (auto& [id, track] : tracks_) track.message.visible = false;
   for (const PublishedPlane& published : frame.published.planes) {
-    if (published.id < kFirstUntrackedId) observe(frame, published, seconds, parameters);
+    if (published.id < kFirstUntrackedId) updateTrack(frame, published, seconds, parameters);
   }
   auto message = boost::make_shared<TrackedPlaneArray>();
   message->header.stamp = stamp;
   message->header.frame_id = fixed_frame_;
-  forget(stamp, tracking.track_memory);
+  removeHidden(stamp, tracking.track_memory);
   for (auto& [id, track] : tracks_) {
     if (!track.message.visible) {
       track.message.plane.label = 0;

@@ -15,12 +15,15 @@
 
 namespace line_plane_segmentation {
 
-/// Fuses the published planes of successive images, by their ids, in the fixed frame. Forgets everything when
-/// stamps go back or the fixed frame changes. Not thread-safe.
+/// Fuses the published planes of consecutive images by their ids, in the fixed frame: one PlaneTrackFilter
+/// per id. Restarts if timestamps go back, if they jump forward by more than a minute, or if the fixed frame
+/// changes. Not thread-safe.
 class TrackedPlanes {
  public:
-  /// Fuses an image and describes all planes that are visible or remembered.
-  /// @param tracking  how long a plane is remembered which is not visible. Without tracking nothing is fused
+  /// Fuses the planes of an image, and returns all planes that are visible or kept.
+  /// @param tracking  track_memory is the time for which an invisible plane is kept. If track_planes is
+  /// false,
+  ///         each image is a restart
   /// @return null if the camera's pose in the fixed frame is unknown
   TrackedPlaneArray::Ptr fuse(const SegmentedFrame& frame, const FusionParameters& parameters,
                               const TrackingParameters& tracking);
@@ -31,9 +34,9 @@ class TrackedPlanes {
     TrackedPlane message;
   };
 
-  void forget(const ros::Time& stamp, double memory);
-  void observe(const SegmentedFrame& frame, const PublishedPlane& published, double seconds,
-               const FusionParameters& parameters);
+  void removeHidden(const ros::Time& stamp, double memory);
+  void updateTrack(const SegmentedFrame& frame, const PublishedPlane& published, double seconds,
+                   const FusionParameters& parameters);
 
   std::map<std::uint32_t, Track> tracks_;  // by id
   std::string fixed_frame_;

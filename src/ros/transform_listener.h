@@ -15,33 +15,33 @@
 
 namespace line_plane_segmentation {
 
-/// Listens to tf, in a thread of its own, while a frame is set. It does so also without subscribers: a
-/// connection to tf takes some tenths of a second, so the first images after it would have no transforms.
-/// When the clock of tf goes back, because a bag loops, it empties the buffer, which otherwise would refuse
-/// all transforms until they are as late again. Thread-safe.
+/// Listener of tf that is active only while a frame parameter is set. It does not depend on subscribers of
+/// the outputs, because a connection to tf takes some tenths of a second, during which images would have no
+/// transforms. If the clock of tf jumps back because a bag loops, the buffer is cleared; otherwise it would
+/// ignore all transforms up to the old time. Thread-safe.
 class TransformListener {
  public:
   explicit TransformListener(const ros::NodeHandle& nh) : nh_(nh) {}
 
-  /// Starts or ends listening.
-  /// @param needed  whether the results depend on any frame other than the camera's
+  /// Starts or stops the listener.
+  /// @param needed  true if the results depend on a frame other than the camera's
   void setNeeded(bool needed);
 
-  /// Whether it has listened for less than a second: static transforms, which are latched, may still be on
-  /// their way.
-  bool isNew() const;
+  /// Returns true in the first second after the start, in which latched static transforms may not have
+  /// arrived.
+  bool isConnecting() const;
 
   tf2::BufferCore& buffer() { return buffer_; }
 
  private:
-  void watch(const tf2_msgs::TFMessage& message);
+  void onTransforms(const tf2_msgs::TFMessage& message);
 
   ros::NodeHandle nh_;
   tf2::BufferCore buffer_;
   mutable std::mutex mutex_;
   std::unique_ptr<tf2_ros::TransformListener> listener_;
-  ros::Subscriber watcher_;
-  ClockWatch clock_;
+  ros::Subscriber jump_subscriber_;
+  ClockJumpDetector jump_detector_;
   std::chrono::steady_clock::time_point started_;
 };
 

@@ -12,7 +12,7 @@
 namespace line_plane_segmentation {
 namespace {
 
-using Answer = TransformLookup::Answer;
+using Status = TransformLookup::Status;
 
 // tf accepts quaternions whose norm is off by half a percent; normalised here, since normals must have
 // length 1.
@@ -43,13 +43,13 @@ TransformLookup lookUp(const tf2::BufferCore& buffer, const std::string& target,
                        const ros::Time& time) {
   TransformLookup lookup;
   if (target == source) {
-    lookup.answer = Answer::kFound;
+    lookup.status = Status::kFound;
     return lookup;
   }
   try {
     lookup.transform = toEigen(buffer.lookupTransform(target, source, time));
     if (isUsable(lookup.transform)) {
-      lookup.answer = Answer::kFound;
+      lookup.status = Status::kFound;
     } else {
       lookup.problem =
           "the transform from " + source + " to " + target + " has a translation that is not a position";
@@ -62,17 +62,17 @@ TransformLookup lookUp(const tf2::BufferCore& buffer, const std::string& target,
     const bool is_too_old = known.toSec() - time.toSec() > tf2::BufferCore::DEFAULT_CACHE_TIME;
     lookup.missed_by = std::max(0.0, time.toSec() - known.toSec());
     if (known.isZero() || is_too_old) {
-      lookup.answer = Answer::kUnknown;
+      lookup.status = Status::kUnknown;
     } else if (known < time || buffer.canTransform(target, source, time)) {
       // Or it arrived between the two lookups; the next one then finds it.
-      lookup.answer = Answer::kLate;
+      lookup.status = Status::kLate;
     }
   } catch (const tf2::LookupException& exception) {
     lookup.problem = exception.what();
-    lookup.answer = Answer::kUnknown;
+    lookup.status = Status::kUnknown;
   } catch (const tf2::ConnectivityException& exception) {
     lookup.problem = exception.what();
-    lookup.answer = Answer::kUnknown;
+    lookup.status = Status::kUnknown;
   } catch (const std::exception& exception) {
     // tf2 also throws other exceptions, for times very far apart.
     lookup.problem = exception.what();
@@ -81,7 +81,7 @@ TransformLookup lookUp(const tf2::BufferCore& buffer, const std::string& target,
 }
 
 std::string explain(const TransformLookup& lookup, double patience) {
-  if (lookup.answer != Answer::kLate) return lookup.problem;
+  if (lookup.status != Status::kLate) return lookup.problem;
   std::ostringstream text;
   text << lookup.problem << "; the newest is " << std::lround(1000.0 * lookup.missed_by)
        << " ms older than the image, " << std::lround(1000.0 * patience)
@@ -89,7 +89,7 @@ std::string explain(const TransformLookup& lookup, double patience) {
   return text.str();
 }
 
-bool ClockWatch::wentBack(const std::string& child, const ros::Time& stamp) {
+bool ClockJumpDetector::jumpedBack(const std::string& child, const ros::Time& stamp) {
   ros::Time& newest = newest_[child];
   // ros::Time::operator- throws if the difference is too large.
   if (newest.toSec() - stamp.toSec() > tf2::BufferCore::DEFAULT_CACHE_TIME) {

@@ -12,20 +12,20 @@ namespace line_plane_segmentation {
 
 /// Result of a tf lookup.
 struct TransformLookup {
-  enum class Answer {
+  enum class Status {
     kFound,
-    kLate,     ///< not yet available at this time, only at earlier ones: may arrive
+    kLate,     ///< only available at earlier times; may arrive later
     kUnknown,  ///< a frame or their connection is unknown at any time: tf has just
                ///< (re)started, or the frame does not exist
     kMissing,  ///< not available, and waiting does not help
   };
-  Answer answer = Answer::kMissing;
+  Status status = Status::kMissing;
   Eigen::Isometry3d transform =
       Eigen::Isometry3d::Identity();  ///< if found: maps points of `source` to `target`
   std::string problem;                ///< if not found: message of tf
-  double missed_by = 0.0;             ///< [s] if kLate: how much older the newest transform is
+  double missed_by = 0.0;  ///< [s] if kLate: age of the newest transform relative to the requested time
 
-  bool found() const { return answer == Answer::kFound; }
+  bool found() const { return status == Status::kFound; }
 };
 
 /// Looks up a transform at a time, without waiting. Time 0 selects the newest one, as usual in tf. Never
@@ -33,22 +33,23 @@ struct TransformLookup {
 TransformLookup lookUp(const tf2::BufferCore& buffer, const std::string& target, const std::string& source,
                        const ros::Time& time);
 
-/// Returns tf's words for a transform that was not found and, if it is late, by how much, and what helps.
-/// @param patience  [s] that was waited for it
+/// Returns tf's error message of a transform that was not found; if it is late, also its age and the
+/// parameters to change.
+/// @param patience  [s] time that the transform was waited for
 std::string explain(const TransformLookup& lookup, double patience);
 
-/// Detects that tf's clock has gone back, because a bag plays again from its start: the stamps of one frame
-/// fall by more than the buffer holds. A publisher that is always late, or an image with an old stamp, is no
-/// such jump.
-class ClockWatch {
+/// Detects that the clock of tf has jumped back, because a bag loops: the timestamps of one child frame
+/// decrease by more than the duration of tf's buffer. Publishers with constant delay and single images with
+/// old timestamps are not such jumps.
+class ClockJumpDetector {
  public:
-  /// Takes note of a transform.
-  /// @param child  its child frame
-  /// @return whether the clock has gone back; the frames are then forgotten
-  bool wentBack(const std::string& child, const ros::Time& stamp);
+  /// Processes the timestamp of a transform.
+  /// @param child  child frame of the transform
+  /// @return true if the clock has jumped back; the stored timestamps are then cleared
+  bool jumpedBack(const std::string& child, const ros::Time& stamp);
 
  private:
-  std::map<std::string, ros::Time> newest_;  // per child frame
+  std::map<std::string, ros::Time> newest_;  // newest timestamp per child frame
 };
 
 }  // namespace line_plane_segmentation

@@ -7,7 +7,7 @@
 
 namespace line_plane_segmentation {
 
-/// What the colour of a plane shows.
+/// Property of a plane that its colour represents.
 enum class ColorBy : int { kId = 0, kOrientation = 1, kArea = 2 };
 
 /// How planes are drawn.

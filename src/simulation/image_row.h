@@ -12,7 +12,7 @@
 
 namespace line_plane_segmentation::simulation {
 
-/// A number that changes linearly over the image: per_column u + per_row v + constant.
+/// Number that is linear in the pixel coordinates: per_column u + per_row v + constant.
 ///
 /// Both the inverse depth where a pixel's ray r = ((u - cx) / fx, (v - cy) / fy, 1) meets a plane and what
 /// decides if it passes through a polygon are of this kind: the scalar product of r with a vector. So a
@@ -26,7 +26,7 @@ struct LinearInPixels {
   double inRow(int v) const { return per_row * v + constant; }
 };
 
-/// The scalar product of `vector` with each pixel's ray.
+/// Returns the scalar product of `vector` with each pixel's ray.
 inline LinearInPixels productWithRays(const Eigen::Vector3d& vector, const CameraIntrinsics& k) {
   const double per_column = vector.x() / k.fx;
   const double per_row = vector.y() / k.fy;
@@ -54,10 +54,10 @@ struct ColumnSpan {
   int end() const { return static_cast<int>(std::floor(last)) + 1; }
 };
 
-/// The row that is being rendered.
+/// Row that is being rendered.
 struct ImageRow {
   std::vector<double> inverse_depth;  ///< [1/m] of the nearest surface so far, 0 = none
-  std::vector<std::int64_t> labels;   ///< as wide as the depths, for the sake of vectorised loops
+  std::vector<std::int64_t> labels;   ///< of the same size as the depths, so that loops can be vectorised
 
   explicit ImageRow(std::size_t width) : inverse_depth(width), labels(width) {}
 

@@ -8,14 +8,14 @@
 
 namespace line_plane_segmentation::simulation {
 
-/// A curved body as the camera sees it. With o the camera and q a pixel's ray in the frame where the body
+/// Projection of a curved body. With o the camera and q a pixel's ray in the frame where the body
 /// is the unit sphere, the ray meets it at the depth z where |o + z q| = 1.
 class ProjectedBody {
  public:
   /// @param camera  pose of the optical frame in the world
   ProjectedBody(const CurvedBody& body, const Eigen::Isometry3d& camera, const CameraIntrinsics& k);
 
-  /// A body is seen from outside, a vault from within.
+  /// Returns true if the camera is outside of the body, or inside of the vault.
   bool visible() const { return vault_ ? c_ < 0.0 : c_ > 0.0; }
 
   /// Renders the body, which has to be visible, into row `v` where it is nearer than the surfaces there.

@@ -10,7 +10,7 @@
 
 namespace line_plane_segmentation::simulation {
 
-/// A face as the camera sees it.
+/// Projection of a face.
 class ProjectedFace {
  public:
   /// @param vertices  [m] in the optical frame, at least 3

@@ -13,16 +13,17 @@
 
 namespace line_plane_segmentation {
 
-/// A 16UC1 image of zeros in this machine's byte order.
+/// Returns a 16UC1 image of zeros in the host's byte order.
 sensor_msgs::ImagePtr imageMessage(const std_msgs::Header& header, int width, int height);
 
-/// The pixels of a 16UC1 image in this machine's byte order.
+/// Returns the pixels of a 16UC1 image in the host's byte order.
 std::uint16_t* pixelsOf(sensor_msgs::Image& image);
 
-/// The labels of an image, 16UC1.
+/// Returns the labels of a rendering as a 16UC1 image.
 sensor_msgs::ImagePtr labelsMessage(const std_msgs::Header& header, const simulation::Rendering& picture);
 
-/// @param header  stamp, and the frame that has this pose in `parent_frame`
+/// Returns the transform of a frame with this pose in `parent_frame`.
+/// @param header  timestamp, and name of the frame
 geometry_msgs::TransformStamped transformMessage(const Eigen::Isometry3d& pose,
                                                  const std_msgs::Header& header,
                                                  const std::string& parent_frame);

@@ -10,25 +10,25 @@
 
 namespace line_plane_segmentation {
 
-/// The names of the data sets whose layout is known: "tum, icl_nuim, nyu, 7scenes and scannet".
+/// Returns the names of the supported data sets: "tum, icl_nuim, nyu, 7scenes and scannet".
 std::string datasetNames();
 
-/// Describes the known data sets, for --help.
+/// Describes the supported data sets, for --help.
 std::string datasetHelp();
 
-/// The frames of a sequence of a data set, in their order, with its depth unit and intrinsics.
+/// Returns the frames of a sequence in their order, with the depth unit and intrinsics of its data set.
 /// @param dataset  "tum", whose intrinsics depend on the sequence's name, "icl_nuim", "nyu", "7scenes" or
 /// "scannet"
-/// @param folder   of one sequence, as it is when unpacked
-/// @param camera, units_per_metre  in place of the data set's own
+/// @param folder   folder of one unpacked sequence
+/// @param camera, units_per_metre  replace the values of the data set
 /// @throws BadInput if there is no such data set or folder, or no image in it
 std::vector<DepthFrame> framesOfDataset(const std::string& dataset, const std::filesystem::path& folder,
                                         const std::optional<CameraIntrinsics>& camera,
                                         const std::optional<double>& units_per_metre);
 
-/// The PNGs of a folder, ordered by name with numbers compared as numbers. Without PNGs, the images of the
-/// first other format of depthFormats(); without any, those of its subfolder depth/. Results of segment_depth
-/// are skipped.
+/// Returns the PNGs of a folder in natural order. If there are none, the images of the next format of
+/// depthFormats(); if there are no images, those of the subfolder depth/. Results of segment_depth are
+/// skipped.
 /// @throws BadInput if there are none
 std::vector<std::string> imagesIn(const std::filesystem::path& folder);
 

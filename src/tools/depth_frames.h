@@ -12,38 +12,39 @@
 
 namespace line_plane_segmentation {
 
-/// One depth image of a recording, and the data for reading metres from it.
+/// Depth image file with the data for converting it to metres.
 struct DepthFrame {
-  std::string name;  ///< first part of the names of its results
+  std::string name;  ///< prefix of the names of its results
   std::filesystem::path image;
   CameraIntrinsics camera;
   double units_per_metre = 1000.0;
-  int width = 0;                                ///< [px] of the image; 0: any
+  int width = 0;                                ///< [px] expected size of the image; 0: any
   int height = 0;                               ///< [px]
-  bool largest_is_none = false;                 ///< 65535 in the image means no depth, as 0 does
+  bool largest_is_none = false;                 ///< true if 65535 is an invalid depth, as 0 is
   std::int64_t max_pixels = kDefaultMaxPixels;  ///< larger images are refused
 };
 
-/// The extensions of files that are read as depth images, ".png" first.
+/// Returns the file name extensions of depth images, ".png" first.
 const std::vector<std::string>& depthFormats();
 
 /// Reads "FX,FY,CX,CY" [px].
 /// @throws BadInput unless these are four numbers that make a camera
 CameraIntrinsics parseCamera(const std::string& text);
 
-/// The frames of images that share one camera, each named after its file without the extension.
+/// Returns frames of images with a common camera. The name of a frame is its file name without the extension.
 /// @throws BadInput if the depth unit is not a positive number
 std::vector<DepthFrame> framesOfImages(const std::vector<std::string>& images, const CameraIntrinsics& camera,
                                        double units_per_metre);
 
-/// The frames of a table (CSV as RFC 4180: cells may be quoted, "" is a quote; a byte order mark is skipped)
-/// with the columns frame, width, height, depth_unit or units_per_metre, fx, fy, cx, cy; other columns are
-/// ignored. The images are depth/FRAME.png beside the table, or, where that does not exist, depth/FRAME with
-/// another extension of depthFormats().
-/// @throws BadInput if the table cannot be read, or says something that cannot be
+/// Reads the frames of a table: CSV as in RFC 4180, with the columns frame, width, height, depth_unit or
+/// units_per_metre, fx, fy, cx, cy. Other columns and a byte order mark are ignored. The images are
+/// depth/FRAME.png beside the table or, if that does not exist, depth/FRAME with another extension of
+/// depthFormats().
+/// @throws BadInput if the table cannot be read or a value is invalid
 std::vector<DepthFrame> framesOfTable(const std::filesystem::path& table);
 
-/// @throws BadInput if there is no frame, or two have the same name
+/// Checks that there is at least one frame, and that all names differ.
+/// @throws BadInput otherwise
 void checkNames(const std::vector<DepthFrame>& frames);
 
 /// Decodes the frame's image from the content of its file.
@@ -51,7 +52,7 @@ void checkNames(const std::vector<DepthFrame>& frames);
 /// @throws BadInput if it cannot be decoded or has another size than the frame states
 cv::Mat decodeDepth(const std::vector<unsigned char>& bytes, const DepthFrame& frame);
 
-/// A view of a depth image as decodeDepth() returns it, which has to outlive the view.
+/// Returns a view of a result of decodeDepth(), which must outlive the view.
 DepthView depthViewOf(const cv::Mat& depth, double units_per_metre);
 
 /// Reads and decodes the frame's image.

@@ -11,49 +11,50 @@
 
 namespace line_plane_segmentation {
 
-/// The images of one frame, counted.
+/// Region overlaps of one frame.
 struct EvaluatedFrame {
   std::string name;
   RegionOverlaps regions;
 };
 
-/// Counts every FRAME.png of the folder `truth` against FRAME.labels.png, or else FRAME.png, of the folder
-/// `labels`, in the order of the names.
-/// @throws BadInput if there is no truth image, one has no labels, or two images differ in size
+/// Computes the region overlaps of every FRAME.png in the folder `truth` with FRAME.labels.png, or FRAME.png,
+/// in the folder `labels`, in the order of the names.
+/// @throws BadInput if there is no ground-truth image, a label image is missing, or two images differ in size
 std::vector<EvaluatedFrame> countFolders(const std::filesystem::path& truth,
                                          const std::filesystem::path& labels);
 
-/// What is measured how.
+/// Input and limits of an evaluation.
 struct EvaluationSettings {
   std::filesystem::path truth;
   std::filesystem::path labels;
-  double tolerance = 0.8;       ///< of the classification after Hoover et al.
-  std::int64_t min_pixels = 0;  ///< smaller truth regions are not required
+  double tolerance = 0.8;  ///< overlap tolerance of the classification by Hoover et al., above 0.5, at most 1
+  std::int64_t min_pixels = 0;  ///< smaller ground-truth regions are not required
 };
 
-/// All scores of a frame or a set.
+/// Scores of a frame or a set.
 struct Scores {
   HooverCounts hoover;
   IouScores iou;
 };
 
-/// The scores of a frame, or of all of a set together.
+/// Computes the scores of a frame, or of all frames of a set together.
 Scores scoreOf(const EvaluatedFrame& frame, const EvaluationSettings& settings);
 Scores scoreOf(const std::vector<EvaluatedFrame>& frames, const EvaluationSettings& settings);
 
-/// The classification of a set at one of many tolerances.
+/// Classification of a set at one tolerance.
 struct CurvePoint {
   double tolerance = 0.0;
   HooverCounts counts;
 };
 
-/// From just above 0.5, where a region could be matched twice, to nearly 1.
+/// Returns the classification at tolerances from just above 0.5 (below which a region could be matched twice)
+/// to nearly 1.
 std::vector<CurvePoint> toleranceCurve(const std::vector<EvaluatedFrame>& frames, std::int64_t min_pixels);
 
-/// The table for people: a line for each frame and one for the set.
+/// Returns a text table: one line per frame and one for the set.
 std::string evaluationTable(const std::vector<EvaluatedFrame>& frames, const EvaluationSettings& settings);
 
-/// The same as JSON, with the curve; null where there is nothing to judge.
+/// Returns the same as JSON, with the curve; null where no region is evaluated.
 std::string evaluationJson(const std::vector<EvaluatedFrame>& frames, const EvaluationSettings& settings);
 
 }  // namespace line_plane_segmentation

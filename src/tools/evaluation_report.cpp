@@ -13,7 +13,7 @@ namespace {
 using nlohmann::json;
 
 // NaN, which JSON shows as null, of nothing.
-double share(int part, int whole) { return whole == 0 ? std::nan("") : static_cast<double>(part) / whole; }
+double fraction(int part, int whole) { return whole == 0 ? std::nan("") : static_cast<double>(part) / whole; }
 
 std::string rate(double value) { return std::isnan(value) ? "-" : (boost::format("%.3f") % value).str(); }
 
@@ -24,9 +24,9 @@ std::string tableLine(const std::string& name, std::size_t name_width, const Sco
   line << name << std::string(name_width - name.size(), ' ')
        << boost::format(" %6d %6d | %7d %5d %5d %6d %5d") % h.required % h.labels % h.correct %
               h.over_segmented % h.under_segmented % h.missed % h.noise
-       << boost::format(" | %7s %5s %9s %6s %5s %5s %5s %8s\n") % rate(share(h.correct, h.required)) %
-              rate(share(h.one_to_one, h.required)) % rate(i.precision()) % rate(i.recall()) % rate(i.f1()) %
-              rate(i.meanIou()) % rate(i.panopticQuality()) % rate(i.covering());
+       << boost::format(" | %7s %5s %9s %6s %5s %5s %5s %8s\n") % rate(fraction(h.correct, h.required)) %
+              rate(fraction(h.one_to_one, h.required)) % rate(i.precision()) % rate(i.recall()) %
+              rate(i.f1()) % rate(i.meanIou()) % rate(i.panopticQuality()) % rate(i.covering());
   return line.str();
 }
 
@@ -40,8 +40,8 @@ json hooverToJson(const HooverCounts& counts) {
           {"missed", counts.missed},
           {"noise", counts.noise},
           {"one_to_one", counts.one_to_one},
-          {"correct_rate", share(counts.correct, counts.required)},
-          {"one_to_one_rate", share(counts.one_to_one, counts.required)}};
+          {"correct_rate", fraction(counts.correct, counts.required)},
+          {"one_to_one_rate", fraction(counts.one_to_one, counts.required)}};
 }
 
 json scoresToJson(const Scores& scores) {

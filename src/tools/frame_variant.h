@@ -7,10 +7,10 @@
 
 namespace line_plane_segmentation {
 
-/// How a camera is held, or its image mirrored.
+/// Rotation or mirroring of an image.
 enum class Orientation { kUpright, kMirrored, kQuarterTurn, kHalfTurn };
 
-/// One way to look at the same frame. The planes in it stay the same; the places where scanlines fall do not.
+/// Variant of a frame: the same planes, with scanlines at other positions.
 struct FrameVariant {
   Orientation orientation = Orientation::kUpright;
   double spacing_factor = 1.0;  ///< scanline spacing as a multiple of the default
@@ -28,12 +28,12 @@ std::vector<FrameVariant> fewVariants();
 /// default is 12, two grid phases.
 std::vector<FrameVariant> uprightVariants();
 
-/// Turns or mirrors depth, ground truth and intrinsics. A quarter turn is clockwise.
+/// Rotates or mirrors depth, ground truth and intrinsics. A quarter turn is clockwise.
 LabelledFrame turned(const LabelledFrame& frame, Orientation orientation);
 
-/// Inserts `pixels` rows and columns without depth, which are not judged, at the top and at the left and
-/// moves the principal point along. A grid that starts at the first pixel then falls `pixels` pixels earlier
-/// on the scene, and every judged pixel is still there.
+/// Inserts `pixels` rows at the top and columns at the left, with invalid depth and excluded from the
+/// evaluation, and shifts the principal point. A grid that starts at the first pixel is thereby shifted
+/// relative to the scene, and all evaluated pixels are kept.
 LabelledFrame shifted(const LabelledFrame& frame, int pixels);
 
 }  // namespace line_plane_segmentation

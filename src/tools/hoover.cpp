@@ -25,7 +25,7 @@ struct Fractions {
   double of_label = 0.0;
 };
 
-// So that 80 of 100 pixels are 0.8 of them, whichever way that is rounded.
+// Tolerates rounding: 80 of 100 pixels count as a fraction of 0.8.
 bool reaches(double fraction, double tolerance) { return fraction + 1e-9 >= tolerance; }
 
 std::vector<Fractions> fractionsOf(const RegionOverlaps& regions) {

@@ -7,16 +7,16 @@
 
 namespace line_plane_segmentation {
 
-/// How a segmentation's regions were classified. Of one frame, or summed over many.
+/// Counts of classified regions, of one frame or summed over several. "Truth" is the ground truth.
 struct HooverCounts {
-  int required = 0;         ///< truth regions that are to be found
+  int required = 0;         ///< truth regions that must be found
   int labels = 0;           ///< label regions
   int correct = 0;          ///< truth regions found as one label region
-  int over_segmented = 0;   ///< truth regions found in pieces
+  int over_segmented = 0;   ///< truth regions found as several label regions
   int under_segmented = 0;  ///< label regions that cover several truth regions
-  int merged = 0;           ///< truth regions that these cover
-  int missed = 0;           ///< truth regions that are none of these
-  int noise = 0;            ///< label regions that are part of none of these
+  int merged = 0;           ///< truth regions covered by under-segmented label regions
+  int missed = 0;           ///< truth regions in no other class
+  int noise = 0;            ///< label regions in no other class
 
   /// Truth regions that have a label region with the mutual overlap of "correct", also where the pieces
   /// beside it make them over-segmented by the rule below. At least `correct`.

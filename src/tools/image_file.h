@@ -8,10 +8,10 @@
 
 namespace line_plane_segmentation {
 
-/// Largest image that is read unless the user allows more [px].
+/// Default of the largest accepted image [px].
 constexpr std::int64_t kDefaultMaxPixels = std::int64_t{1} << 24;
 
-/// Reads a file whole.
+/// Reads a whole file.
 /// @throws BadInput if it does not exist, is not a regular file, or cannot be read
 std::vector<unsigned char> readFile(const std::filesystem::path& file);
 
@@ -22,8 +22,8 @@ std::vector<unsigned char> readFile(const std::filesystem::path& file);
 void checkDepthFile(const std::filesystem::path& file, std::int64_t max_pixels = kDefaultMaxPixels);
 
 /// Decodes a depth image: 16 bit, 32-bit float or 64-bit float (converted to 32), one channel. Formats: .npy
-/// and what OpenCV reads, such as PNG, TIFF, EXR and PGM. Messages of the image libraries are kept from
-/// stderr by redirecting it, so no other thread may write there.
+/// and the formats of OpenCV, such as PNG, TIFF, EXR and PGM. stderr is redirected to suppress messages of
+/// the image libraries, so no other thread may write to it.
 /// @param file  for error messages
 /// @return CV_16UC1 or CV_32FC1
 /// @throws BadInput if the image is damaged, of another kind, or has more than `max_pixels` pixels; that is

@@ -7,12 +7,12 @@
 
 namespace line_plane_segmentation {
 
-/// Scores by intersection over union. Of one frame, or summed over many: what is summed are the counts,
-/// so that each region weighs the same, and in covering() each pixel.
+/// Scores by intersection over union (IoU), of one frame or summed over several. Counts are summed, so each
+/// region has the same weight, and in covering() each pixel.
 ///
 /// A truth region and a label region match if their IoU is above 0.5; no region has two matches then.
-/// Truth regions under the size limit are not required: they are in no sum, and a label region that
-/// matches one counts neither as found nor as false.
+/// Ground-truth regions below the size limit are not required: they are not counted, and a label region that
+/// matches one of them is neither matched nor false.
 struct IouScores {
   int required = 0;                  ///< truth regions that are to be found
   int matched = 0;                   ///< of these, those with a match
@@ -24,7 +24,7 @@ struct IouScores {
 
   IouScores& operator+=(const IouScores& other);
 
-  // All from 0 to 1. NaN where there is nothing to judge, no required region or no label region.
+  // All from 0 to 1. NaN if there is no required region or no label region.
   double precision() const;        ///< label regions that match
   double recall() const;           ///< required regions that are matched
   double f1() const;               ///< harmonic mean of both

@@ -15,7 +15,7 @@ namespace line_plane_segmentation {
 struct LabelledFrame {
   std::string name;
   cv::Mat depth;  ///< CV_16UC1, 0 = invalid depth
-  cv::Mat truth;  ///< CV_16UC1 of the same size: 0 = no plane, k = plane k, 65535 = not judged
+  cv::Mat truth;  ///< CV_16UC1 of the same size: 0 = no plane, k = plane k, 65535 = excluded
   CameraIntrinsics camera;
   double units_per_metre = 1000.0;  ///< depth units in a metre
 

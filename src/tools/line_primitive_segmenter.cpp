@@ -11,7 +11,7 @@ namespace {
 
 int scaled(int value, double factor) { return std::max(1, static_cast<int>(std::lround(value * factor))); }
 
-// What the image determines. Everything else in this file is independent of how it does.
+// Resolves the parameters from the image, as PlaneSegmenter does. Only this function depends on that rule.
 Parameters resolvedFor(const LabelledFrame& frame, const Parameters& parameters) {
   return resolve(parameters, frame.depth.cols);
 }

@@ -9,7 +9,7 @@
 
 namespace line_plane_segmentation {
 
-/// A parameter that is scaled after the image has determined its value.
+/// Parameter that is scaled after it was resolved from the image width.
 struct ScaledParameter {
   std::string name;  ///< empty = none
   double factor = 1.0;
@@ -20,10 +20,11 @@ struct ScaledParameter {
 /// @param parameters  receives the scaled value
 void scaleParameter(const ScaledParameter& scaled, const Parameters& resolved, Parameters& parameters);
 
-/// The names of the numbers among the parameters that are not 0 for this frame.
+/// Returns the names of the numeric parameters that are not 0 for this frame.
 std::vector<std::string> scalableParameters(const LabelledFrame& frame, const Parameters& parameters);
 
-/// This package's method. Spacings that the parameters fix are scaled with the variant, too.
+/// Adapter of PlaneSegmenter for the evaluation. A spacing that is set by the parameters is scaled with the
+/// variant.
 class LinePrimitiveSegmenter : public FrameSegmenter {
  public:
   explicit LinePrimitiveSegmenter(const Parameters& parameters, const ScaledParameter& scaled = {})
@@ -34,7 +35,7 @@ class LinePrimitiveSegmenter : public FrameSegmenter {
     return segmentPlanes(frame, variant).labels;
   }
 
-  /// As segment(), with the planes that the labels belong to.
+  /// Same as segment(), but returns the planes as well.
   const Segmentation& segmentPlanes(const LabelledFrame& frame, const FrameVariant& variant);
 
  private:

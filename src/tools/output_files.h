@@ -7,25 +7,24 @@
 
 namespace line_plane_segmentation {
 
-/// Makes a folder for results, with its parents, unless it exists.
-/// @throws BadInput if it cannot be made or written to
+/// Creates a folder for results, with its parents, unless it exists.
+/// @throws BadInput if it cannot be created or is not writable
 void makeOutputFolder(const std::filesystem::path& folder);
 
 /// Returns the absolute path of a file or folder without symbolic links, whether it exists or not. Two names
 /// of the same file have the same absolute path, except for hard links.
 std::filesystem::path wholePath(const std::filesystem::path& path);
 
-/// Returns whether a file cannot be written in any order: a FIFO, or a name of a file that is open already,
-/// such as /dev/stdout.
+/// Returns true if a file supports sequential writing only: a FIFO or an open file such as /dev/stdout.
 bool isStream(const std::filesystem::path& file);
 
-/// Files that appear together, whole, or not at all. The content goes into unnamed files of the same file
-/// system (O_TMPFILE). commit() writes them to the disk (fsync) and names them. A process that ends before,
-/// by whatever signal, leaves nothing behind. Where the file system has no unnamed files, uniquely named ones
-/// take their place.
+/// Atomic output of several files: they appear complete and together, or not at all. The content is written
+/// to unnamed files of the same file system (O_TMPFILE). commit() flushes them to the disk (fsync) and names
+/// them. A process that is killed before leaves no files. If the file system does not support unnamed files,
+/// files with unique names are used.
 ///
-/// A symbolic link stays, its target is replaced. A character device or a FIFO, such as /dev/stdout, is
-/// written to. All other special files are refused.
+/// If an output is a symbolic link, its target is replaced. Character devices and FIFOs, such as /dev/stdout,
+/// are written directly. All other special files are refused.
 class OutputFiles {
  public:
   OutputFiles() = default;
@@ -33,7 +32,7 @@ class OutputFiles {
   OutputFiles(const OutputFiles&) = delete;
   OutputFiles& operator=(const OutputFiles&) = delete;
 
-  /// Names a file that no output may replace. Hard links and symbolic links to it are recognised.
+  /// Protects a file from being replaced by an output. Hard links and symbolic links to it are recognised.
   void protect(const std::filesystem::path& input);
 
   /// @throws BadInput if an output of this name would replace a protected file

@@ -47,10 +47,10 @@ void drawOutline(const Segmentation& segmentation, const SegmentedPlane& plane,
   const cv::Vec3b color = bgrOf(plane.label);
   const cv::Scalar light = 0.5 * (cv::Scalar(color[0], color[1], color[2]) + cv::Scalar::all(255));
   for (int r = 0; r < plane.outer_ring_count + plane.hole_count; ++r) {
-    const Ring& ring = segmentation.rings[static_cast<std::size_t>(plane.first_ring + r)];
+    const Ring& ring = segmentation.rings[plane.first_ring + r];
     std::vector<cv::Point> points;
     for (int i = 0; i < ring.vertex_count; ++i) {
-      const auto& vertex = segmentation.vertices[static_cast<std::size_t>(ring.first_vertex + i)];
+      const auto& vertex = segmentation.vertices[ring.first_vertex + i];
       points.emplace_back((1 << kFractionBits) * project(camera, vertex.cast<double>()));
     }
     cv::polylines(picture, points, true, light, thickness, cv::LINE_AA, kFractionBits);

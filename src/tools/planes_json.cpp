@@ -15,10 +15,10 @@ json toJson(const Eigen::Vector3d& vector) { return {vector.x(), vector.y(), vec
 double roundToMicrometre(float metres) { return std::round(static_cast<double>(metres) * 1e6) / 1e6; }
 
 json ringToJson(const Segmentation& segmentation, int index) {
-  const Ring& ring = segmentation.rings[static_cast<std::size_t>(index)];
+  const Ring& ring = segmentation.rings[index];
   json vertices = json::array();
   for (int i = 0; i < ring.vertex_count; ++i) {
-    const Eigen::Vector3f& vertex = segmentation.vertices[static_cast<std::size_t>(ring.first_vertex + i)];
+    const Eigen::Vector3f& vertex = segmentation.vertices[ring.first_vertex + i];
     vertices.push_back(
         {roundToMicrometre(vertex.x()), roundToMicrometre(vertex.y()), roundToMicrometre(vertex.z())});
   }

@@ -9,12 +9,12 @@
 
 namespace line_plane_segmentation {
 
-/// The planes of a frame as JSON text: lengths in metres, in the camera's optical frame. Of each plane
-/// "polygon" is its largest outer ring, "other_parts" further outer rings, "holes" the rings of its holes.
-/// The same planes and times give the same text.
+/// Returns the planes of a frame as JSON: lengths in metres, in the camera's optical frame. For each plane,
+/// "polygon" is the largest outer ring, "other_parts" are the other outer rings, and "holes" the rings of the
+/// holes. Deterministic.
 std::string planesJson(const std::string& frame, const Segmentation& segmentation, const StageClock& clock);
 
-/// The same, with more members: an object such as provenanceOf() returns.
+/// Same, with additional members, such as the result of provenanceOf().
 std::string planesJson(const std::string& frame, const Segmentation& segmentation, const StageClock& clock,
                        const nlohmann::json& more);
 

@@ -7,7 +7,7 @@
 
 namespace line_plane_segmentation {
 
-/// The text of a progress bar: "[======>     ]  54 %  1234 frames  143/s  0:07 left".
+/// Returns the text of a progress bar: "[======>     ]  54 %  1234 frames  143/s  0:07 left".
 /// @param done      number of processed frames
 /// @param fraction  of the whole work, 0 to 1
 /// @param seconds   since the beginning

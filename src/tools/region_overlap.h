@@ -7,27 +7,27 @@
 
 namespace line_plane_segmentation {
 
-/// In a truth image: a pixel that is not to be judged. 0 is no region, in both images.
+/// Value of ground-truth pixels that are excluded from the evaluation. 0 is no region, in both images.
 constexpr std::uint16_t kDoNotJudge = 65535;
 
-/// One region of a truth or label image: all pixels of one value, connected or not.
+/// Region of a ground-truth or label image: all pixels of one value, connected or not.
 struct CountedRegion {
   std::uint16_t value = 0;
-  std::int64_t pixels = 0;  ///< those to be judged
+  std::int64_t pixels = 0;  ///< number of evaluated pixels
 };
 
-/// Pixels that a truth region and a label region share.
+/// Number of common pixels of a ground-truth region and a label region.
 struct Overlap {
   std::size_t truth = 0;  ///< index in RegionOverlaps::truth
   std::size_t label = 0;  ///< index in RegionOverlaps::labels
   std::int64_t pixels = 0;
 };
 
-/// All that the measures need to know of a truth image and a label image of the same scene.
+/// Regions and overlaps of a ground-truth image and a label image; input of all scores.
 ///
-/// Pixels that are not to be judged are taken out of both; a region without others does not exist. Nor does a
-/// label region that lies mostly on such pixels and holds no more than half of any truth region: what is
-/// left of it is the fringe of something that nobody judged (as in PQ, Kirillov et al. 2019).
+/// Excluded pixels are removed from both images, and regions that consist of them. A label region that lies
+/// mostly on excluded pixels and covers at most half of any ground-truth region is removed as well, because
+/// it belongs to a surface that is not evaluated (as in PQ, Kirillov et al. 2019).
 struct RegionOverlaps {
   std::vector<CountedRegion> truth;   ///< by rising value
   std::vector<CountedRegion> labels;  ///< by rising value

@@ -7,7 +7,7 @@
 
 namespace line_plane_segmentation {
 
-/// A path as the report program reads it: a list of bytes, because a path need not be UTF-8 as JSON has to
+/// Converts a path for the report program: a list of bytes, because JSON must be UTF-8 and a path need not
 /// be.
 nlohmann::json pathForReport(const std::filesystem::path& path);
 

@@ -12,7 +12,7 @@
 
 namespace line_plane_segmentation {
 
-/// A method under evaluation.
+/// Interface of a method under evaluation.
 class FrameSegmenter {
  public:
   virtual ~FrameSegmenter() = default;
@@ -25,17 +25,17 @@ class FrameSegmenter {
                                                     const FrameVariant& variant) = 0;
 };
 
-/// The frame as a variant shows it to a method: turned and shifted.
+/// Returns the rotated and shifted frame of a variant.
 LabelledFrame viewOf(const LabelledFrame& frame, const FrameVariant& variant,
                      const FrameSegmenter& segmenter);
 
-/// A ground-truth region over all variants.
+/// Ground-truth region with its results over all variants.
 struct RegionRecord {
   std::string frame;
   std::uint16_t value = 0;  ///< in the ground truth
   std::int64_t pixels = 0;
-  int found = 0;    ///< variants in which it is matched with an IoU above 0.5
-  int correct = 0;  ///< variants in which a label region shares the tolerance's fraction of both
+  int found = 0;    ///< number of variants in which it is matched with an IoU above 0.5
+  int correct = 0;  ///< number of variants in which it is correct by the rule of Hoover et al.
 };
 
 /// The scores of a set in one variant.
@@ -70,7 +70,7 @@ struct RobustScores {
   double uncertain() const;
 };
 
-/// Makes a segmenter. Called once per thread.
+/// Creates a segmenter. Called once per thread.
 using MakeFrameSegmenter = std::function<std::unique_ptr<FrameSegmenter>()>;
 
 /// Evaluates each frame in each variant, on all cores.

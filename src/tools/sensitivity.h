@@ -17,7 +17,7 @@ struct NamedSet {
   std::vector<LabelledFrame> frames;
 };
 
-/// The factors by which a parameter is scaled: its default stands in the middle.
+/// Factors by which a parameter is scaled; the default is in the middle.
 constexpr std::array<double, 5> kSensitivityFactors = {0.7, 0.85, 1.0, 1.2, 1.4};
 
 /// The figures that are compared, each a mean over the variants.
@@ -37,7 +37,7 @@ struct ParameterSensitivity {
   bool hasEffect() const;
 };
 
-/// How far the default of one parameter stands above the mean of its two neighbours.
+/// Difference between the score at the default of a parameter and the mean of its two neighbours.
 struct Prominence {
   double height = 0.0;
   std::size_t set = 0;
@@ -57,7 +57,7 @@ std::vector<ParameterSensitivity> evaluateSensitivity(const std::vector<NamedSet
                                                       const std::vector<FrameVariant>& variants,
                                                       const EvaluationSettings& settings);
 
-/// The parameters whose default stands out, "a, b"; empty if none does.
+/// Returns the parameters whose default exceeds kMaxProminence, "a, b"; empty if there are none.
 std::string namesThatStandOut(const std::vector<ParameterSensitivity>& parameters);
 
 /// All means, by parameter, set, factor and figure.

@@ -25,7 +25,7 @@ struct Edge {
   double step = 0.0;   ///< [m]
 };
 
-struct Shares {
+struct Fractions {
   double windows_passed =
       0.0;               ///< of the windows on a plane, or of those with points on both sides of an edge
   double covered = 0.0;  ///< of the points, by segments
@@ -43,8 +43,8 @@ Scanline randomScan(const Edge& edge, double distance, const ScanCamera& camera,
   return scan;
 }
 
-Shares sharesOf(const Edge& edge, double distance, int image_width, double line_fidelity,
-                bool quantized = false) {
+Fractions fractionsOf(const Edge& edge, double distance, int image_width, double line_fidelity,
+                      bool quantized = false) {
   constexpr int kTrials = 300;
   const ScanCamera camera{525.0 * image_width / 640.0, kEdge - 0.5};
   LineParameters parameters = paperParameters(image_width).lines;
@@ -57,14 +57,14 @@ Shares sharesOf(const Edge& edge, double distance, int image_width, double line_
   Random random(7);
   LineExtractor extractor;
   std::vector<LineSegment> segments;
-  Shares shares;
+  Fractions fractions;
   for (int trial = 0; trial < kTrials; ++trial) {
     Scanline scan = randomScan(edge, distance, camera, random);
     if (quantized) quantize(scan);
     const std::vector<double>& fidelity = extractor.fidelity(scan.points.data(), kPixels, {}, parameters);
     for (int i = first_window; i <= last_window; ++i) {
-      const double share = 1.0 / (last_window - first_window + 1) / kTrials;
-      shares.windows_passed += fidelity[static_cast<std::size_t>(i)] < line_fidelity ? share : 0.0;
+      const double fraction = 1.0 / (last_window - first_window + 1) / kTrials;
+      fractions.windows_passed += fidelity[static_cast<std::size_t>(i)] < line_fidelity ? fraction : 0.0;
     }
     segments.clear();
     extractor.extract(scan, {}, parameters, segments);
@@ -74,10 +74,10 @@ Shares sharesOf(const Edge& edge, double distance, int image_width, double line_
       std::fill(covered.begin() + segment.first, covered.begin() + segment.last + 1, true);
       crossed |= segment.first <= kEdge - window && segment.last >= kEdge + window - 1;
     }
-    for (const bool c : covered) shares.covered += c ? 1.0 / kPixels / kTrials : 0.0;
-    shares.crossed += crossed ? 1.0 / kTrials : 0.0;
+    for (const bool c : covered) fractions.covered += c ? 1.0 / kPixels / kTrials : 0.0;
+    fractions.crossed += crossed ? 1.0 / kTrials : 0.0;
   }
-  return shares;
+  return fractions;
 }
 
 constexpr double kDistances[] = {0.8, 1.2, 1.6, 2.0, 2.5};
@@ -85,7 +85,7 @@ const double kDefault = LineParameters{}.line_fidelity;
 
 TEST(LineFidelity, PassesPlanes) {
   for (const double z : kDistances) {
-    const Shares vga = sharesOf({}, z, 640, kDefault), qvga = sharesOf({}, z, 320, kDefault);
+    const Fractions vga = fractionsOf({}, z, 640, kDefault), qvga = fractionsOf({}, z, 320, kDefault);
     EXPECT_GT(vga.windows_passed, 0.83) << z;
     EXPECT_GT(vga.covered, 0.89) << z;
     EXPECT_GT(qvga.windows_passed, 0.74) << z;
@@ -95,19 +95,19 @@ TEST(LineFidelity, PassesPlanes) {
 
 TEST(LineFidelity, PassesPlanesOfAQuantizingSensor) {
   for (const double z : {0.8, 1.2, 1.6}) {
-    EXPECT_GT(sharesOf({}, z, 640, kDefault, true).covered, 0.88) << z;
-    EXPECT_GT(sharesOf({}, z, 320, kDefault, true).covered, 0.75) << z;
+    EXPECT_GT(fractionsOf({}, z, 640, kDefault, true).covered, 0.88) << z;
+    EXPECT_GT(fractionsOf({}, z, 320, kDefault, true).covered, 0.75) << z;
   }
 }
 
 TEST(LineFidelity, IsNotPassedAcrossSteps) {
   for (const int width : {320, 640}) {
     for (const double z : kDistances) {
-      const Shares small = sharesOf({0.0, 0.05}, z, width, kDefault);
+      const Fractions small = fractionsOf({0.0, 0.05}, z, width, kDefault);
       EXPECT_LT(small.windows_passed, z < 1.8 ? 0.01 : 0.2) << width << ' ' << z;
       EXPECT_LT(small.crossed, 0.02) << width << ' ' << z;
       for (const double step : {0.1, 0.2}) {
-        const Shares large = sharesOf({0.0, step}, z, width, kDefault);
+        const Fractions large = fractionsOf({0.0, step}, z, width, kDefault);
         EXPECT_LT(large.windows_passed, 0.01) << width << ' ' << z << ' ' << step;
         EXPECT_EQ(large.crossed, 0.0) << width << ' ' << z << ' ' << step;
       }
@@ -118,9 +118,9 @@ TEST(LineFidelity, IsNotPassedAcrossSteps) {
 TEST(LineFidelity, CutsCreases) {
   for (const int width : {320, 640}) {
     for (const double z : kDistances) {
-      EXPECT_LT(sharesOf({90 * kDegree, 0.0}, z, width, kDefault).crossed, 0.005) << width << ' ' << z;
-      EXPECT_LT(sharesOf({60 * kDegree, 0.0}, z, width, kDefault).crossed, 0.06) << width << ' ' << z;
-      EXPECT_LT(sharesOf({30 * kDegree, 0.0}, z, width, kDefault).crossed, 0.30) << width << ' ' << z;
+      EXPECT_LT(fractionsOf({90 * kDegree, 0.0}, z, width, kDefault).crossed, 0.005) << width << ' ' << z;
+      EXPECT_LT(fractionsOf({60 * kDegree, 0.0}, z, width, kDefault).crossed, 0.06) << width << ' ' << z;
+      EXPECT_LT(fractionsOf({30 * kDegree, 0.0}, z, width, kDefault).crossed, 0.30) << width << ' ' << z;
     }
   }
 }

@@ -45,14 +45,14 @@ std::vector<std::uint16_t> blobs(int width, int height, Random& random) {
 }
 
 std::vector<std::uint16_t> spiral(int width, int height, Random& random) {
-  const double pitch = random.uniform(2.0, 6.0), share = random.uniform(0.3, 0.7);
+  const double pitch = random.uniform(2.0, 6.0), fraction = random.uniform(0.3, 0.7);
   const double squareness = random.uniform(0.0, 1.0), u0 = 0.5 * width, v0 = 0.5 * height;
   return drawn(width, height, [&](int u, int v) {
     const double x = u - u0, y = v - v0;
     const double radius =
         (1.0 - squareness) * std::hypot(x, y) + squareness * std::max(std::abs(x), std::abs(y));
     const double turns = radius / pitch - std::atan2(y, x) / 6.283185307179586;
-    return turns - std::floor(turns) < share ? 1 : 0;
+    return turns - std::floor(turns) < fraction ? 1 : 0;
   });
 }
 
@@ -95,10 +95,10 @@ std::vector<std::uint16_t> nestedRings(int width, int height, Random& random) {
 std::vector<std::uint16_t> stripes(int width, int height, Random& random) {
   const double x = random.uniform(-1.0, 1.0), y = random.uniform(-1.0, 1.0),
                offset = random.uniform(0.0, 2.0);
-  const double share = random.uniform(0.3, 0.9), bend = random.uniform(-0.01, 0.01);
+  const double fraction = random.uniform(0.3, 0.9), bend = random.uniform(-0.01, 0.01);
   return drawn(width, height, [&](int u, int v) {
     const double stripe = x * u + y * v + bend * u * u + offset;
-    return stripe - std::floor(stripe) < share ? 1 : 0;
+    return stripe - std::floor(stripe) < fraction ? 1 : 0;
   });
 }
 

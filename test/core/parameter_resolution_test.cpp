@@ -60,9 +60,9 @@ TEST(Resolve, SuitsThePapersMethodAtEveryWidth) {
     EXPECT_GE(window, 10) << width;
     EXPECT_LE(p.candidates.min_window_points, window * window) << width;
     EXPECT_GE(p.candidates.min_window_points, window * window / 2) << width;
-    const double share_of_image = p.extraction.min_plane_inliers / (0.75 * width * width);
-    EXPECT_GT(share_of_image, 0.01) << width;
-    EXPECT_LT(share_of_image, 0.02) << width;
+    const double image_fraction = p.extraction.min_plane_inliers / (0.75 * width * width);
+    EXPECT_GT(image_fraction, 0.01) << width;
+    EXPECT_LT(image_fraction, 0.02) << width;
   }
 }
 

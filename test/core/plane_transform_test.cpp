@@ -17,7 +17,7 @@ Eigen::Vector3d randomVector(Random& random, double size) {
          Eigen::Vector3d(random.uniform(-1.0, 1.0), random.uniform(-1.0, 1.0), random.uniform(-1.0, 1.0));
 }
 
-Eigen::Isometry3d randomPlacement(Random& random) {
+Eigen::Isometry3d randomTransform(Random& random) {
   const Eigen::Vector4d q = Eigen::Vector4d(random.uniform(-1.0, 1.0), random.uniform(-1.0, 1.0),
                                             random.uniform(-1.0, 1.0), random.uniform(-1.0, 1.0));
   return Eigen::Translation3d(randomVector(random, 20.0)) * Eigen::Quaterniond(q).normalized();
@@ -52,17 +52,17 @@ TEST(Transformed, HoldsTheMovedPointsAndLooksAtTheMovedCamera) {
   for (int round = 0; round < 200; ++round) {
     std::vector<Eigen::Vector3d> points;
     const SegmentedPlane plane = randomPlane(random, points);
-    const Eigen::Isometry3d placement = randomPlacement(random);
-    const SegmentedPlane moved = transformed(plane, placement);
+    const Eigen::Isometry3d target_from_optical = randomTransform(random);
+    const SegmentedPlane moved = transformed(plane, target_from_optical);
 
     EXPECT_NEAR(moved.normal.norm(), 1.0, 1e-12);
     Eigen::Vector3d mean = Eigen::Vector3d::Zero();
     for (const Eigen::Vector3d& point : points) {
-      EXPECT_NEAR(moved.normal.dot(placement * point) + moved.d, 0.0, 1e-12);
-      mean += placement * point / 10.0;
+      EXPECT_NEAR(moved.normal.dot(target_from_optical * point) + moved.d, 0.0, 1e-12);
+      mean += target_from_optical * point / 10.0;
     }
     EXPECT_NEAR((moved.centroid - mean).norm(), 0.0, 1e-12);
-    const Eigen::Vector3d camera = placement.translation();
+    const Eigen::Vector3d camera = target_from_optical.translation();
     EXPECT_NEAR(moved.normal.dot(camera) + moved.d, plane.d, 1e-12) << "the camera is before it, as far away";
   }
 }
@@ -73,10 +73,10 @@ TEST(Transformed, HasTheCovarianceOfTheTransposedInverse) {
   for (int round = 0; round < 200; ++round) {
     std::vector<Eigen::Vector3d> points;
     const SegmentedPlane plane = randomPlane(random, points);
-    const Eigen::Isometry3d placement = randomPlacement(random);
-    const Eigen::Matrix4d map = placement.matrix().inverse().transpose();
+    const Eigen::Isometry3d target_from_optical = randomTransform(random);
+    const Eigen::Matrix4d map = target_from_optical.matrix().inverse().transpose();
     const Eigen::Matrix4d expected = map * plane.covariance * map.transpose();
-    const Eigen::Matrix4d covariance = transformed(plane, placement).covariance;
+    const Eigen::Matrix4d covariance = transformed(plane, target_from_optical).covariance;
     EXPECT_LT((covariance - expected).norm(), 1e-10 * expected.norm());
   }
 }
@@ -85,7 +85,7 @@ TEST(Transformed, LeavesAllElseAsItIs) {
   Random random(3);
   std::vector<Eigen::Vector3d> points;
   const SegmentedPlane plane = randomPlane(random, points);
-  const SegmentedPlane moved = transformed(plane, randomPlacement(random));
+  const SegmentedPlane moved = transformed(plane, randomTransform(random));
   EXPECT_EQ(moved.label, plane.label);
   EXPECT_EQ(moved.inliers, plane.inliers);
   EXPECT_EQ(moved.rms, plane.rms);

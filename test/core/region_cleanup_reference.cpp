@@ -28,7 +28,7 @@ class Reference {
       if (labels_[i] == kNoDepthLabel) {
         cleaned[i] = 0;
       } else if (isSmall(i)) {
-        cleaned[i] = heirOf(piece_of_[i]);
+        cleaned[i] = targetLabelOf(component_of_[i]);
       }
     }
     return cleaned;
@@ -38,23 +38,23 @@ class Reference {
   double inverseDepth(std::size_t pixel) const { return 1.0 / static_cast<double>(depth_.z[pixel]); }
 
   void findPieces() {
-    piece_of_.assign(labels_.size(), 0);
-    std::size_t pieces = 0;
+    component_of_.assign(labels_.size(), 0);
+    std::size_t components = 0;
     for (std::size_t i = 0; i < labels_.size(); ++i) {
-      if (piece_of_[i] != 0) continue;
+      if (component_of_[i] != 0) continue;
       const int width = depth_.width, at = static_cast<int>(i);
       const std::vector<std::uint8_t> region = floodFill(
           width, depth_.height, at % width, at / width,
           [&](int u, int v) { return labels_[depth_.index(u, v)] == labels_[i]; },
           [](int, int, int, int) { return true; });
-      ++pieces;
-      for (std::size_t k = 0; k < region.size(); ++k) piece_of_[k] += region[k] * pieces;
+      ++components;
+      for (std::size_t k = 0; k < region.size(); ++k) component_of_[k] += region[k] * components;
     }
   }
 
   bool isSmall(std::size_t pixel) const {
     if (labels_[pixel] == kNoDepthLabel) return false;
-    const auto pixels = std::count(piece_of_.begin(), piece_of_.end(), piece_of_[pixel]);
+    const auto pixels = std::count(component_of_.begin(), component_of_.end(), component_of_[pixel]);
     return pixels < parameters_.cleanup.min_region_pixels * (labels_[pixel] == 0 ? kMaxGapRegions : 1);
   }
 
@@ -65,11 +65,12 @@ class Reference {
     return std::fabs(w - w_other) >= tolerance.along(std::min(w, w_other));
   }
 
-  /// The labels beyond a piece's border with large pieces, one for each pair of pixels: 0 behind a step.
-  std::map<std::uint16_t, int> borderOf(std::size_t piece) const {
+  /// The labels beyond a component's border with large components, one for each pair of pixels: 0 behind a
+  /// step.
+  std::map<std::uint16_t, int> borderOf(std::size_t component) const {
     std::map<std::uint16_t, int> border;
     const auto meet = [&](std::size_t inside, std::size_t outside) {
-      if (piece_of_[inside] != piece || piece_of_[outside] == piece) return;
+      if (component_of_[inside] != component || component_of_[outside] == component) return;
       if (labels_[outside] == kNoDepthLabel || isSmall(outside)) return;
       ++border[areParted(inside, outside) ? std::uint16_t{0} : labels_[outside]];
     };
@@ -86,22 +87,24 @@ class Reference {
     return border;
   }
 
-  /// The label of more than half of a small piece's border, if the piece lies near that plane; else 0.
-  std::uint16_t heirOf(std::size_t piece) {
-    const auto known = heirs_.find(piece);
-    if (known != heirs_.end()) return known->second;
-    const std::map<std::uint16_t, int> border = borderOf(piece);
+  /// The label of more than half of a small component's border, if the component lies near that plane; else
+  /// 0.
+  std::uint16_t targetLabelOf(std::size_t component) {
+    const auto known = target_labels_.find(component);
+    if (known != target_labels_.end()) return known->second;
+    const std::map<std::uint16_t, int> border = borderOf(component);
     int length = 0;
     for (const auto& [label, pixels] : border) length += pixels;
-    std::uint16_t heir = 0;
+    std::uint16_t target_label = 0;
     for (const auto& [label, pixels] : border) {
-      if (2 * pixels > length && label != 0 && meanError(piece, label) <= kMaxMeanError) heir = label;
+      if (2 * pixels > length && label != 0 && meanError(component, label) <= kMaxMeanError)
+        target_label = label;
     }
-    return heirs_[piece] = heir;
+    return target_labels_[component] = target_label;
   }
 
   /// In tolerances.
-  double meanError(std::size_t piece, std::uint16_t label) const {
+  double meanError(std::size_t component, std::uint16_t label) const {
     const DepthTolerance tolerance{parameters_.noise, parameters_.extraction.distance_noise_factor,
                                    parameters_.extraction.plane_distance};
     const InverseDepthPlane& plane = clusters_[label - 1U].plane;
@@ -109,7 +112,7 @@ class Reference {
     int pixels = 0;
     for (int v = 0; v < depth_.height; ++v) {
       for (int u = 0; u < depth_.width; ++u) {
-        if (piece_of_[depth_.index(u, v)] != piece) continue;
+        if (component_of_[depth_.index(u, v)] != component) continue;
         const double w = inverseDepth(depth_.index(u, v));
         const double expected =
             plane.at(rays_.x[static_cast<std::size_t>(u)], rays_.y[static_cast<std::size_t>(v)]);
@@ -125,8 +128,8 @@ class Reference {
   const std::vector<PlaneCluster>& clusters_;
   const Parameters& parameters_;
   const std::vector<std::uint16_t>& labels_;
-  std::vector<std::size_t> piece_of_;  // of each pixel, from 1 on
-  std::map<std::size_t, std::uint16_t> heirs_;
+  std::vector<std::size_t> component_of_;  // of each pixel, from 1 on
+  std::map<std::size_t, std::uint16_t> target_labels_;
 };
 
 }  // namespace

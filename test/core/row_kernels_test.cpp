@@ -176,10 +176,10 @@ TEST_F(RowKernels, MarkChanges) {
 TEST_F(RowKernels, AppendMarked) {
   forManyRows([&](const Row& row) {
     std::vector<std::uint8_t> marks(static_cast<std::size_t>(row.count) + kMarkBlock, 0);
-    const double share = random_.uniform(0.0, 1.0) * random_.uniform(0.0, 1.0);
+    const double fraction = random_.uniform(0.0, 1.0) * random_.uniform(0.0, 1.0);
     std::vector<int> expected = {-1};  // what is there already stays
     for (int i = 0; i < row.count; ++i) {
-      marks[static_cast<std::size_t>(i)] = random_.chance(share) ? 1 : 0;
+      marks[static_cast<std::size_t>(i)] = random_.chance(fraction) ? 1 : 0;
       if (marks[static_cast<std::size_t>(i)] != 0) expected.push_back(i);
     }
     for (const auto append : {appendMarked, scalar::appendMarked}) {

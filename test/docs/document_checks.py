@@ -8,6 +8,8 @@ arguments that the commands use, and code examples are those of doc/examples.
 import glob
 import os
 import re
+import subprocess
+import sys
 import unittest
 import xml.etree.ElementTree as ElementTree
 
@@ -32,6 +34,9 @@ class DocumentChecks(unittest.TestCase):
         cls.listed = documents.read_list(ROOT)
         cls.commands = documents.commands(ROOT)
         cls.blocks = documents.all_blocks(ROOT)
+
+    def test_the_layout_pictures_are_current(self):
+        subprocess.run([sys.executable, os.path.join(ROOT, "scripts", "draw_layout.py"), "--check"], check=True)
 
     def test_every_block_names_its_language(self):
         for block in self.blocks:

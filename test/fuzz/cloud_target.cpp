@@ -9,7 +9,7 @@
 namespace line_plane_segmentation {
 namespace {
 
-CameraFrame drawFrame(ByteReader& bytes) {
+InputFrame drawFrame(ByteReader& bytes) {
   sensor_msgs::PointCloud2 cloud;
   if (bytes.chance(128)) {
     cloud = cloudOf(drawScene(bytes), bytes);
@@ -17,7 +17,7 @@ CameraFrame drawFrame(ByteReader& bytes) {
   } else {
     readFields(bytes, cloud);
   }
-  CameraFrame frame;
+  InputFrame frame;
   frame.cloud = boost::make_shared<sensor_msgs::PointCloud2>(cloud);
   return frame;
 }

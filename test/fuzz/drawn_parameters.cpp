@@ -11,10 +11,10 @@ namespace {
 // Small values more often: there is more to be seen between 1 and 10 than between 900 and 1000.
 template <typename T>
 T drawWithin(ByteReader& bytes, T min, T max) {
-  const double share = bytes.uniform(0.0, 1.0);
+  const double fraction = bytes.uniform(0.0, 1.0);
   const double low = static_cast<double>(min);
   const double high = static_cast<double>(max);
-  return static_cast<T>(low + (high - low) * share * share * share * share);
+  return static_cast<T>(low + (high - low) * fraction * fraction * fraction * fraction);
 }
 template <>
 bool drawWithin(ByteReader& bytes, bool, bool) {

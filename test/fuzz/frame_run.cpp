@@ -25,7 +25,7 @@ tf2::BufferCore& noTransforms() {
 TransformLookup drawTransform(ByteReader& bytes) {
   TransformLookup lookup;
   if (bytes.chance(32)) return lookup;
-  lookup.answer = TransformLookup::Answer::kFound;
+  lookup.status = TransformLookup::Status::kFound;
   const Eigen::Vector3d axis(bytes.uniform(-1.0, 1.0), bytes.uniform(-1.0, 1.0), bytes.uniform(0.1, 1.0));
   lookup.transform.linear() =
       Eigen::AngleAxisd(bytes.uniform(0.0, 3.2), axis.normalized()).toRotationMatrix();
@@ -50,33 +50,33 @@ FrameRun::FrameRun(const Parameters& parameters)
   segmenter_.setParameters(parameters_);
 }
 
-void FrameRun::process(const CameraFrame& frame, ByteReader& bytes) {
+void FrameRun::process(const InputFrame& frame, ByteReader& bytes) {
   const Validation& input = segmenter_.segment(frame);
   expectExplained(input, segmenter_.explanation(frame));
   if (!input.accepted()) return;
   expectSoundSegmentation(segmenter_);
-  const CameraPlaces places{drawTransform(bytes), drawTransform(bytes), drawTransform(bytes)};
+  const CameraPoses poses{drawTransform(bytes), drawTransform(bytes), drawTransform(bytes)};
   const PublishedPlanes& published =
-      locator_.locate(segmenter_.segmentation(), input.camera, segmenter_.header(), places);
+      locator_.locate(segmenter_.segmentation(), input.camera, segmenter_.header(), poses);
   expectSoundMessages(segmenter_, published);
 }
 
-void FrameRun::expectRepeatable(const CameraFrame& frame) {
+void FrameRun::expectRepeatable(const InputFrame& frame) {
   FrameSegmenter other(kLimits);
   other.setParameters(parameters_);
   EXPECT_EQ(other.segment(frame).refusal, segmenter_.segment(frame).refusal);
   if (other.input().accepted()) expectSameBits(other.segmentation(), segmenter_.segmentation());
 }
 
-CameraFrame frameOf(const sensor_msgs::Image& image, const sensor_msgs::CameraInfo& info) {
-  CameraFrame frame;
+InputFrame frameOf(const sensor_msgs::Image& image, const sensor_msgs::CameraInfo& info) {
+  InputFrame frame;
   frame.image = boost::make_shared<sensor_msgs::Image>(image);
   frame.info = boost::make_shared<sensor_msgs::CameraInfo>(info);
   return frame;
 }
 
-void tryFrames(ByteReader& bytes, CameraFrame (*draw)(ByteReader&)) {
-  const CameraFrame first = draw(bytes);
+void tryFrames(ByteReader& bytes, InputFrame (*draw)(ByteReader&)) {
+  const InputFrame first = draw(bytes);
   FrameRun run(bytes);
   run.process(first, bytes);
   if (bytes.chance(64)) run.process(draw(bytes), bytes);

@@ -19,10 +19,10 @@ class FrameRun {
   explicit FrameRun(const Parameters& parameters);
 
   /// @param bytes  from which come the places that tf tells
-  void process(const CameraFrame& frame, ByteReader& bytes);
+  void process(const InputFrame& frame, ByteReader& bytes);
 
   /// Expects that the frame comes out the same here and in a segmenter that has seen nothing before.
-  void expectRepeatable(const CameraFrame& frame);
+  void expectRepeatable(const InputFrame& frame);
 
  private:
   Parameters parameters_;
@@ -31,9 +31,9 @@ class FrameRun {
 };
 
 /// The frame of an image and its camera_info.
-CameraFrame frameOf(const sensor_msgs::Image& image, const sensor_msgs::CameraInfo& info);
+InputFrame frameOf(const sensor_msgs::Image& image, const sensor_msgs::CameraInfo& info);
 
 /// A frame, sometimes two, as `draw` makes them of the bytes, with parameters from the bytes.
-void tryFrames(ByteReader& bytes, CameraFrame (*draw)(ByteReader&));
+void tryFrames(ByteReader& bytes, InputFrame (*draw)(ByteReader&));
 
 }  // namespace line_plane_segmentation

@@ -8,7 +8,7 @@
 namespace line_plane_segmentation {
 namespace {
 
-CameraFrame drawFrame(ByteReader& bytes) {
+InputFrame drawFrame(ByteReader& bytes) {
   sensor_msgs::Image image;
   sensor_msgs::CameraInfo info;
   if (bytes.chance(128)) {

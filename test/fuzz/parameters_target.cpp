@@ -156,7 +156,7 @@ void tryParameters(const std::uint8_t* data, std::size_t size) {
   expectResolvable(parameters, 1 + static_cast<int>(bytes.raw<std::uint32_t>() % InputLimits{}.max_pixels));
   FrameRun run(parameters);
   const DrawnScene scene = drawScene(bytes);
-  const CameraFrame frame = frameOf(imageOf(scene, bytes), testInfo(scene.width, scene.height));
+  const InputFrame frame = frameOf(imageOf(scene, bytes), testInfo(scene.width, scene.height));
   run.process(frame, bytes);
   run.expectRepeatable(frame);
 }

@@ -181,6 +181,19 @@ except TypeError:
         self.assertTrue(np.all(np.linalg.eigvalsh(lines["covariance"]) > -1e-12))
         np.testing.assert_array_equal(lines, pickle.loads(pickle.dumps(lines)))
 
+    def test_candidates(self):
+        candidates = self.segmenter.candidates
+        self.assertGreater(len(candidates), 10)
+        np.testing.assert_allclose(1.0, np.linalg.norm(candidates["normal"], axis=1))
+        self.assertTrue(np.all((candidates["curvature"] >= 0.0) & (candidates["curvature"] <= 1.0 / 3.0)))
+        ray = np.stack([(candidates["u"] - CAMERA[2]) / CAMERA[0], (candidates["v"] - CAMERA[3]) / CAMERA[1],
+                        np.ones(len(candidates))], axis=1)
+        depth = -candidates["d"] / np.sum(candidates["normal"] * ray, axis=1)
+        on_wall = candidates["v"] < 100
+        self.assertTrue(np.any(on_wall))
+        np.testing.assert_allclose(3.0, depth[on_wall], atol=0.02)
+        np.testing.assert_array_equal(candidates, pickle.loads(pickle.dumps(candidates)))
+
     def test_the_overlay(self):
         depth = corner()
         picture = overlay(depth, self.result.labels)

@@ -28,9 +28,9 @@ struct PlaneErrors {
   std::vector<double> nees;      ///< normalised estimation error squared
 };
 
-double quantile(std::vector<double> values, double share) {
+double quantile(std::vector<double> values, double fraction) {
   std::sort(values.begin(), values.end());
-  return values[static_cast<std::size_t>(share * static_cast<double>(values.size() - 1))];
+  return values[static_cast<std::size_t>(fraction * static_cast<double>(values.size() - 1))];
 }
 
 // The covariance has no inverse: the normal's length is fixed. So its three directions that have a variance.
@@ -174,9 +174,9 @@ TEST_F(SimulatedQuality, ofUnseenRoomsThatConfirm) {
 TEST_F(SimulatedQuality, ofPixelsWherePlanesMeet) {
   const CreasePixels& creases = seen().creases;
   ASSERT_GT(creases.all, 1200000U);
-  const double share = static_cast<double>(creases.right) / static_cast<double>(creases.all);
-  std::cout << "within 4 pixels of a crease " << 100.0 * share << " % are in the right plane" << std::endl;
-  EXPECT_GE(share, 0.88);
+  const double fraction = static_cast<double>(creases.right) / static_cast<double>(creases.all);
+  std::cout << "within 4 pixels of a crease " << 100.0 * fraction << " % are in the right plane" << std::endl;
+  EXPECT_GE(fraction, 0.88);
 }
 
 TEST_F(SimulatedQuality, ofPlanes) {
@@ -195,11 +195,11 @@ TEST_F(SimulatedQuality, ofCovariances) {
   const std::vector<double>& nees = errors().nees;
   ASSERT_FALSE(nees.empty());
   const auto within = std::count_if(nees.begin(), nees.end(), [](double n) { return n <= kChiSquared95; });
-  const double share = static_cast<double>(within) / static_cast<double>(nees.size());
-  std::cout << "normalised error squared: " << 100.0 * share << " % within the bound for 95 %, median "
+  const double fraction = static_cast<double>(within) / static_cast<double>(nees.size());
+  std::cout << "normalised error squared: " << 100.0 * fraction << " % within the bound for 95 %, median "
             << quantile(nees, 0.5) << " (chi-squared: " << kChiSquaredMedian << ")" << std::endl;
-  EXPECT_GE(share, 0.94);
-  EXPECT_GE(quantile(nees, 0.5), 1.0) << "the share is of no worth where every covariance is too large";
+  EXPECT_GE(fraction, 0.94);
+  EXPECT_GE(quantile(nees, 0.5), 1.0) << "a large fraction is meaningless if all covariances are too large";
   EXPECT_GE(quantile(seen().as_recorded.nees, 0.5), 1.0);
 }
 

@@ -175,14 +175,14 @@ TEST(CloudFrame, isSegmentedAsItsImageIs) {
   const sensor_msgs::Image wall = imageOfPlane(320, 240, "32FC1", Eigen::Vector3d(0.0, 0.0, -1.0), 1.8);
   std::copy_n(wall.data.begin(), wall.data.size() / 3, image.data.begin());
   setDepth(image, 100, 100, kNan);
-  CameraFrame of_image;
+  InputFrame of_image;
   of_image.image = boost::make_shared<sensor_msgs::Image>(image);
   of_image.info = boost::make_shared<sensor_msgs::CameraInfo>(testInfo(320, 240));
   FrameSegmenter segmenter;
   ASSERT_TRUE(segmenter.segment(of_image).accepted());
   PublishedPlanes published;
   published.header = segmenter.header();
-  CameraFrame of_cloud;
+  InputFrame of_cloud;
   of_cloud.cloud = coloredCloud(segmenter.result(published));
 
   FrameSegmenter other;

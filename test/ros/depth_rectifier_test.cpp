@@ -10,7 +10,7 @@
 #include <opencv2/calib3d.hpp>
 
 #include "frame_segmenter.h"
-#include "rectify.h"
+#include "rectification_mode.h"
 #include "test_messages.h"
 
 namespace line_plane_segmentation {
@@ -141,10 +141,10 @@ TEST_P(DepthRectifierTest, keepsDepthSteps) {
 }
 
 TEST_P(DepthRectifierTest, keepsTheFloorWhole) {
-  CameraFrame frame;
+  InputFrame frame;
   frame.image = boost::make_shared<sensor_msgs::Image>(rawFloor(GetParam(), "16UC1"));
   frame.info = boost::make_shared<sensor_msgs::CameraInfo>(infoOf(GetParam()));
-  frame.is_raw = true;
+  frame.needs_rectification = true;
   FrameSegmenter segmenter;
   ASSERT_TRUE(segmenter.segment(frame).accepted());
   const Segmentation& segmentation = segmenter.segmentation();
@@ -191,7 +191,7 @@ TEST(DepthRectifier, refusesWhatItDoesNotKnow) {
 
 // image_rect has the same camera_info as image_raw, with the distortion that it no longer has.
 TEST(FrameSegmenter, leavesRectifiedImagesAlone) {
-  CameraFrame frame;
+  InputFrame frame;
   frame.image = boost::make_shared<sensor_msgs::Image>(rawFloor(kLenses[2], "16UC1"));
   frame.info = boost::make_shared<sensor_msgs::CameraInfo>(infoOf(kLenses[2]));
   FrameSegmenter segmenter;
@@ -200,13 +200,14 @@ TEST(FrameSegmenter, leavesRectifiedImagesAlone) {
   EXPECT_EQ(frame.image->data.data(), segmenter.input().view.data);
 }
 
-TEST(Rectify, goesByTheTopicIfNotTold) {
-  EXPECT_TRUE(isRaw(Rectify::kAuto, "/camera/depth/image_raw"));
-  EXPECT_TRUE(isRaw(Rectify::kAuto, "/rectified/depth/image"));
-  EXPECT_FALSE(isRaw(Rectify::kAuto, "/camera/depth/image_rect"));
-  EXPECT_FALSE(isRaw(Rectify::kAuto, "/camera/depth/image_rect_raw")) << "RealSense calls it so, and it is";
-  EXPECT_TRUE(isRaw(Rectify::kAlways, "/camera/depth/image_rect"));
-  EXPECT_FALSE(isRaw(Rectify::kNever, "/camera/depth/image_raw"));
+TEST(RectificationMode, goesByTheTopicIfNotTold) {
+  EXPECT_TRUE(needsRectification(RectificationMode::kAuto, "/camera/depth/image_raw"));
+  EXPECT_TRUE(needsRectification(RectificationMode::kAuto, "/rectified/depth/image"));
+  EXPECT_FALSE(needsRectification(RectificationMode::kAuto, "/camera/depth/image_rect"));
+  EXPECT_FALSE(needsRectification(RectificationMode::kAuto, "/camera/depth/image_rect_raw"))
+      << "RealSense calls it so, and it is";
+  EXPECT_TRUE(needsRectification(RectificationMode::kAlways, "/camera/depth/image_rect"));
+  EXPECT_FALSE(needsRectification(RectificationMode::kNever, "/camera/depth/image_raw"));
 }
 
 }  // namespace

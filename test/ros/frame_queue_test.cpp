@@ -11,14 +11,14 @@
 namespace line_plane_segmentation {
 namespace {
 
-CameraFrame frameWithNumber(std::uint32_t number) {
+InputFrame frameWithNumber(std::uint32_t number) {
   const auto image = boost::make_shared<sensor_msgs::Image>();
   image->header.seq = number;
   return {image, boost::make_shared<sensor_msgs::CameraInfo>()};
 }
 
 std::uint32_t popNumber(FrameQueue& queue) {
-  CameraFrame frame;
+  InputFrame frame;
   return queue.pop(frame) ? frame.image->header.seq : 0;
 }
 
@@ -83,14 +83,14 @@ TEST(FrameQueue, closingWakesWhoeverWaits) {
   FrameQueue queue(3);
   bool popped = true;
   std::thread waiting([&] {
-    CameraFrame frame;
+    InputFrame frame;
     popped = queue.pop(frame);
   });
   queue.close();
   waiting.join();
   EXPECT_FALSE(popped);
   queue.push(frameWithNumber(1));
-  CameraFrame frame;
+  InputFrame frame;
   EXPECT_FALSE(queue.pop(frame));
 }
 

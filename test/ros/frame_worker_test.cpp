@@ -18,7 +18,7 @@
 namespace line_plane_segmentation {
 namespace {
 
-CameraFrame frameWithNumber(std::uint32_t number) {
+InputFrame frameWithNumber(std::uint32_t number) {
   const auto image = boost::make_shared<sensor_msgs::Image>();
   image->header.seq = number;
   return {image, boost::make_shared<sensor_msgs::CameraInfo>()};
@@ -44,7 +44,7 @@ TEST(FrameWorker, goesOnAfterWhateverIsThrown) {
   {
     FrameWorker worker(
         10,
-        [&](const CameraFrame& frame) {
+        [&](const InputFrame& frame) {
           throwAt(frame.image->header.seq);
           processed.set_value(frame.image->header.seq);
         },
@@ -64,7 +64,7 @@ TEST(FrameWorker, goesOnWhenTellingFails) {
   std::promise<void> processed;
   FrameWorker worker(
       10,
-      [&](const CameraFrame& frame) {
+      [&](const InputFrame& frame) {
         throwAt(frame.image->header.seq);
         processed.set_value();
       },
@@ -79,7 +79,7 @@ TEST(FrameWorker, waitsForTheFrameThatIsBeingProcessed) {
   std::atomic<bool> finished{false};
   auto worker = std::make_unique<FrameWorker>(
       10,
-      [&](const CameraFrame&) {
+      [&](const InputFrame&) {
         begun.set_value();
         std::this_thread::sleep_for(std::chrono::milliseconds(100));
         finished = true;
@@ -94,9 +94,9 @@ TEST(FrameWorker, waitsForTheFrameThatIsBeingProcessed) {
 TEST(FrameWorker, keepsNoFrame) {
   std::promise<void> processed;
   FrameWorker worker(
-      10, [](const CameraFrame&) { throw std::bad_alloc(); },
+      10, [](const InputFrame&) { throw std::bad_alloc(); },
       [&](const std::string&) { processed.set_value(); });
-  CameraFrame frame = frameWithNumber(1);
+  InputFrame frame = frameWithNumber(1);
   const boost::weak_ptr<const sensor_msgs::Image> image = frame.image;
   worker.queue().push(std::move(frame));
   processed.get_future().wait();

@@ -15,8 +15,8 @@ using std::chrono::seconds;
 class Camera {
  public:
   explicit Camera(InfoMatching matching, std::size_t waiting = 5,
-                  InfoMatcher::Patience patience = InfoMatcher::Patience::kSecond)
-      : matcher(matching, waiting, patience) {}
+                  InfoMatcher::FallbackRule rule = InfoMatcher::FallbackRule::kAfterSecond)
+      : matcher(matching, waiting, rule) {}
 
   // Both return the frames that become whole.
   InfoMatcher::Frames image(const DepthMessage& message) {
@@ -218,9 +218,9 @@ TEST(InfoMatcher, aSlowCameraIsNoReasonToFallBack) {
   }
 }
 
-// With Patience::kFull, for bags, time does not count.
+// With FallbackRule::kWhenFull, for bags, time does not count.
 TEST(InfoMatcher, fallsBackWhenAsManyWaitAsMayOrAtTheEnd) {
-  Camera camera(InfoMatching::kAuto, 4, InfoMatcher::Patience::kFull);
+  Camera camera(InfoMatching::kAuto, 4, InfoMatcher::FallbackRule::kWhenFull);
   camera.info(infoAt(1.0));
   EXPECT_EQ(1U, camera.image(imageAt(1.0)).size());
   for (const double stamp : {2.0, 3.0, 4.0}) EXPECT_TRUE(camera.image(imageAt(stamp)).empty());
@@ -235,7 +235,7 @@ TEST(InfoMatcher, fallsBackWhenAsManyWaitAsMayOrAtTheEnd) {
 
 // One missing camera_info among others is a lost image, and no frame out of order.
 TEST(InfoMatcher, givesNoFrameOutOfOrder) {
-  Camera camera(InfoMatching::kAuto, 4, InfoMatcher::Patience::kFull);
+  Camera camera(InfoMatching::kAuto, 4, InfoMatcher::FallbackRule::kWhenFull);
   camera.image(imageAt(1.0));
   camera.image(imageAt(2.0));
   EXPECT_EQ(1U, camera.info(infoAt(2.0)).size());

@@ -37,9 +37,9 @@ class MarkersTest : public testing::Test {
     frame_.image = image;
     frame_.info = boost::make_shared<sensor_msgs::CameraInfo>(testInfo(kWidth, kHeight));
     published_.header.frame_id = "world";
-    published_.placement.linear() =
+    published_.target_from_optical.linear() =
         Eigen::Quaterniond::FromTwoVectors(kUp, Eigen::Vector3d::UnitZ()).matrix();
-    published_.placement.translation() = Eigen::Vector3d(3.0, 2.0, kFloor);
+    published_.target_from_optical.translation() = Eigen::Vector3d(3.0, 2.0, kFloor);
   }
 
   SegmentedFrame segment(Method method = Method::kAdaptive) {
@@ -69,7 +69,7 @@ class MarkersTest : public testing::Test {
     return std::min(std::abs(z), std::abs(z - (kFloor - kTable))) < tolerance;
   }
 
-  CameraFrame frame_;
+  InputFrame frame_;
   FrameSegmenter segmenter_;
   PublishedPlanes published_;
 };
@@ -110,7 +110,8 @@ TEST_F(MarkersTest, outlinesHaveHoles) {
   int around_the_table = 0;
   for (const geometry_msgs::Point& point : floor.points) {
     EXPECT_NEAR(0.0, point.z, 0.005);
-    const Eigen::Vector3d p = published_.placement.inverse() * Eigen::Vector3d(point.x, point.y, point.z);
+    const Eigen::Vector3d p =
+        published_.target_from_optical.inverse() * Eigen::Vector3d(point.x, point.y, point.z);
     const CameraIntrinsics camera = testCamera(kWidth, kHeight);
     const double u = camera.fx * p.x() / p.z() + camera.cx, v = camera.fy * p.y() / p.z() + camera.cy;
     around_the_table += std::abs(u - 160) < 70 && std::abs(v - 120) < 40 ? 1 : 0;
@@ -128,7 +129,8 @@ TEST_F(MarkersTest, arrowsStandWhereThePlaneIsSeen) {
     EXPECT_NEAR(k == 0 ? 0.0 : kFloor - kTable, foot.z, 0.01);
     EXPECT_GT(tip.z, foot.z + 0.05);
     EXPECT_NEAR(foot.x, tip.x, 0.01);
-    const Eigen::Vector3d p = published_.placement.inverse() * Eigen::Vector3d(foot.x, foot.y, foot.z);
+    const Eigen::Vector3d p =
+        published_.target_from_optical.inverse() * Eigen::Vector3d(foot.x, foot.y, foot.z);
     const CameraIntrinsics camera = testCamera(kWidth, kHeight);
     const auto u = static_cast<std::size_t>(std::lround(camera.fx * p.x() / p.z() + camera.cx));
     const auto v = static_cast<std::size_t>(std::lround(camera.fy * p.y() / p.z() + camera.cy));

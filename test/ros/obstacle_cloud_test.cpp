@@ -24,7 +24,7 @@ class ObstacleCloud : public testing::Test {
     published_.header.frame_id = kCameraFrame;
     gravity_from_optical_.linear() << 0, 0, 1, -1, 0, 0, 0, -1, 0;
     gravity_from_optical_.translation().z() = 1.0;
-    published_.poses.gravity_is_wanted = true;
+    published_.poses.gravity_frame_is_set = true;
     published_.poses.gravity_from_optical = gravity_from_optical_;
     segmentation_.width = 7;
     segmentation_.height = 1;

@@ -99,7 +99,9 @@ TEST(ConfigFile, saysUnitAndEffectOfEachParameter) {
   for (const auto& parameter : PlaneSegmenterConfig::__getParamDescriptions__()) {
     EXPECT_EQ('[', parameter->description.front()) << parameter->name;
     if (parameter->type == "double" || (parameter->type == "int" && parameter->name != "method")) {
-      EXPECT_NE(std::string::npos, parameter->description.find("Higher ->")) << parameter->name;
+      for (const char* effect : {". Increase to ", "; decrease to "}) {
+        EXPECT_NE(std::string::npos, parameter->description.find(effect)) << parameter->name << effect;
+      }
     }
   }
 }

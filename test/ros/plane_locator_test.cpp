@@ -46,8 +46,8 @@ class Locator : public testing::Test {
     header.frame_id = "camera";
     picture_ = pictureOf(walls_, pose(degrees), kinectCamera(kWidth, kHeight), kWidth, kHeight);
     locator_->setParameters(parameters_);
-    places_ = locator_->lookUp(header);
-    return locator_->locate(picture_.segmentation, kinectCamera(kWidth, kHeight), header, places_);
+    poses_ = locator_->lookUp(header);
+    return locator_->locate(picture_.segmentation, kinectCamera(kWidth, kHeight), header, poses_);
   }
 
   const PublishedPlane& planeOf(const PublishedPlanes& published, std::size_t wall) const {
@@ -58,7 +58,7 @@ class Locator : public testing::Test {
                               {{0, 1.5, 0}, {4, 0, 0}, {0, 0, 3}},
                               {{0, -3, 0}, {4, 0, 0}, {0, 6, 0}}};
   WallPicture picture_;
-  CameraPlaces places_;
+  CameraPoses poses_;
   LocationParameters parameters_;
   tf2::BufferCore transforms_;
   std::optional<PlaneLocator> locator_ = PlaneLocator(transforms_);
@@ -66,10 +66,10 @@ class Locator : public testing::Test {
 
 TEST_F(Locator, asksTfForNothingByItself) {
   const PublishedPlanes& published = look(100.0, 0.0);
-  EXPECT_FALSE(places_.has(TransformLookup::Answer::kLate));
-  EXPECT_FALSE(places_.has(TransformLookup::Answer::kUnknown));
+  EXPECT_FALSE(poses_.has(TransformLookup::Status::kLate));
+  EXPECT_FALSE(poses_.has(TransformLookup::Status::kUnknown));
   EXPECT_EQ("camera", published.header.frame_id);
-  EXPECT_TRUE(published.placement.isApprox(Eigen::Isometry3d::Identity()));
+  EXPECT_TRUE(published.target_from_optical.isApprox(Eigen::Isometry3d::Identity()));
   for (const PublishedPlane& plane : published.planes) EXPECT_EQ(Orientation::kUnknown, plane.orientation);
 }
 
@@ -77,7 +77,7 @@ TEST_F(Locator, givesPlanesInTheTargetFrame) {
   parameters_.frames.target_frame = "world";
   putTransform(100.0, pose(10.0));
   const PublishedPlanes& published = look(100.0, 10.0);
-  ASSERT_TRUE(places_.target.found());
+  ASSERT_TRUE(poses_.target.found());
   EXPECT_EQ("world", published.header.frame_id);
   EXPECT_EQ(ros::Time(100.0), published.header.stamp);
   const SegmentedPlane& floor = planeOf(published, kFloor).plane;
@@ -100,8 +100,8 @@ TEST_F(Locator, knowsFloorsFromWallsByGravity) {
 TEST_F(Locator, goesOnWithoutGravity) {
   parameters_.frames.gravity_frame = parameters_.frames.fixed_frame = "world";
   const PublishedPlanes& published = look(100.0, 0.0);
-  EXPECT_FALSE(places_.has(TransformLookup::Answer::kLate)) << "it would be waited for, forever and in vain";
-  EXPECT_TRUE(places_.has(TransformLookup::Answer::kUnknown));
+  EXPECT_FALSE(poses_.has(TransformLookup::Status::kLate)) << "it would be waited for, forever and in vain";
+  EXPECT_TRUE(poses_.has(TransformLookup::Status::kUnknown));
   ASSERT_EQ(3U, published.planes.size());
   for (const PublishedPlane& plane : published.planes) EXPECT_EQ(Orientation::kUnknown, plane.orientation);
 }
@@ -113,9 +113,9 @@ TEST_F(Locator, saysWhatIsLate) {
     parameters_ = {};
     parameters_.frames.*frame = "world";
     look(100.0, 0.0);
-    EXPECT_FALSE(places_.has(TransformLookup::Answer::kLate));
+    EXPECT_FALSE(poses_.has(TransformLookup::Status::kLate));
     look(100.1, 0.0);
-    EXPECT_TRUE(places_.has(TransformLookup::Answer::kLate));
+    EXPECT_TRUE(poses_.has(TransformLookup::Status::kLate));
   }
 }
 
@@ -128,11 +128,11 @@ TEST_F(Locator, fallsBackToTheNewestIfToldTo) {
   for (const std::string fallback : {kNoTransform, kLatestTransform}) {
     parameters_.frames.tf_fallback = fallback;
     locator_->setParameters(parameters_);
-    CameraPlaces places = locator_->lookUp(header);
-    ASSERT_FALSE(places.target.found());
-    locator_->fallBack(header, places);
-    EXPECT_EQ(fallback == kLatestTransform, places.target.found());
-    EXPECT_EQ(fallback == kLatestTransform, places.gravity.found());
+    CameraPoses poses = locator_->lookUp(header);
+    ASSERT_FALSE(poses.target.found());
+    locator_->fallBack(header, poses);
+    EXPECT_EQ(fallback == kLatestTransform, poses.target.found());
+    EXPECT_EQ(fallback == kLatestTransform, poses.gravity.found());
   }
 }
 

@@ -22,8 +22,8 @@ class Published : public testing::Test {
   Published() {
     image_header_.frame_id = kCameraFrame;
     published_.header.frame_id = "world";
-    published_.placement.linear() << 0, 0, 1, -1, 0, 0, 0, -1, 0;
-    published_.placement.translation() << 0, 0, 1;
+    published_.target_from_optical.linear() << 0, 0, 1, -1, 0, 0, 0, -1, 0;
+    published_.target_from_optical.translation() << 0, 0, 1;
     segmentation_.width = 4;
     segmentation_.height = 1;
     segmentation_.labels = {1, 2, 3, 4};

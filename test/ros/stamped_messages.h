@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <string>
 
-#include "camera_frame.h"
+#include "input_frame.h"
 
 namespace line_plane_segmentation {
 

@@ -20,7 +20,7 @@ const InputTimes::TimePoint kNow = InputTimes::TimePoint{} + std::chrono::hours(
 // An output has a subscriber, and frames arrive.
 NodeletStatus statusOfWorkingNodelet() {
   NodeletStatus status;
-  status.wanted = true;
+  status.subscribed = true;
   status.topics.image = "/camera/depth/image_rect";
   status.topics.info = "/camera/depth/camera_info";
   status.input.subscribed = kNow - seconds(60);
@@ -28,7 +28,7 @@ NodeletStatus statusOfWorkingNodelet() {
   status.frames.seconds = 2.0;
   status.frames.frames = status.frames.total_frames = 60;
   status.frames.planes = status.frames.published_planes = 4.0;
-  status.frames.valid_share = 0.9;
+  status.frames.valid_fraction = 0.9;
   return status;
 }
 
@@ -55,7 +55,7 @@ TEST(StatusReport, allIsWell) { expectStatus(statusOfWorkingNodelet(), Diagnosti
 
 TEST(StatusReport, nobodySubscribes) {
   NodeletStatus status = statusOfWorkingNodelet();
-  status.wanted = false;
+  status.subscribed = false;
   status.input = InputTimes{};
   expectStatus(status, DiagnosticStatus::OK, "nobody subscribes to my outputs");
 }
@@ -181,7 +181,7 @@ TEST(StatusReport, drops) {
 // Row 10.
 TEST(StatusReport, noDepthAtAll) {
   NodeletStatus status = statusOfWorkingNodelet();
-  status.frames.valid_share = 0.0;
+  status.frames.valid_fraction = 0.0;
   expectStatus(status, DiagnosticStatus::WARN, "no pixel has a depth");
 }
 
@@ -238,7 +238,7 @@ TEST(FrameStatistics, makesMeansOfTheTimeSinceTheLastReport) {
   EXPECT_EQ(3U, report.frames);
   EXPECT_EQ(8.0 / 3.0, report.planes);
   EXPECT_EQ(2.0, report.published_planes);
-  EXPECT_EQ(2.5 / 3.0, report.valid_share);
+  EXPECT_EQ(2.5 / 3.0, report.valid_fraction);
   EXPECT_EQ(2.0, report.milliseconds);
   EXPECT_EQ(3.0, report.max_milliseconds);
   EXPECT_EQ(2U, report.delays);

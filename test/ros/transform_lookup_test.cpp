@@ -11,7 +11,7 @@
 namespace line_plane_segmentation {
 namespace {
 
-using Answer = TransformLookup::Answer;
+using Status = TransformLookup::Status;
 
 class Lookup : public testing::Test {
  protected:
@@ -26,10 +26,10 @@ class Lookup : public testing::Test {
     ASSERT_TRUE(buffer_.setTransform(message, "test", is_static));
   }
 
-  Answer ask(double seconds, const std::string& target = "world", const std::string& source = "camera") {
+  Status statusAt(double seconds, const std::string& target = "world", const std::string& source = "camera") {
     lookup_ = lookUp(buffer_, target, source, ros::Time(seconds));
     EXPECT_EQ(lookup_.found(), lookup_.problem.empty()) << lookup_.problem;
-    return lookup_.answer;
+    return lookup_.status;
   }
 
   tf2::BufferCore buffer_;
@@ -39,31 +39,31 @@ class Lookup : public testing::Test {
 TEST_F(Lookup, interpolatesAndIsARotation) {
   put(100.0, 1.0);
   put(101.0, 2.0);
-  ASSERT_EQ(Answer::kFound, ask(100.25));
+  ASSERT_EQ(Status::kFound, statusAt(100.25));
   EXPECT_NEAR(1.25, lookup_.transform.translation().x(), 1e-6);
   EXPECT_NEAR(-1.0, lookup_.transform.linear()(0, 0), 1e-12);
   EXPECT_NEAR(1.0, lookup_.transform.linear().determinant(), 1e-12);
 }
 
 TEST_F(Lookup, tellsLateFromUnknownFromMissing) {
-  EXPECT_EQ(Answer::kUnknown, ask(100.0)) << "nothing is known of these frames";
+  EXPECT_EQ(Status::kUnknown, statusAt(100.0)) << "nothing is known of these frames";
   put(100.0, 1.0);
   put(101.0, 2.0);
-  EXPECT_EQ(Answer::kLate, ask(101.001));
-  EXPECT_EQ(Answer::kMissing, ask(99.0)) << "what is over does not come";
-  EXPECT_EQ(Answer::kUnknown, ask(101.5, "map")) << "nobody knows this frame";
+  EXPECT_EQ(Status::kLate, statusAt(101.001));
+  EXPECT_EQ(Status::kMissing, statusAt(99.0)) << "what is over does not come";
+  EXPECT_EQ(Status::kUnknown, statusAt(101.5, "map")) << "nobody knows this frame";
   EXPECT_NE(std::string::npos, lookup_.problem.find("map"));
 }
 
 TEST_F(Lookup, standsAnyName) {
   put(100.0, 1.0);
-  const std::pair<const char*, Answer> cases[] = {{"", Answer::kMissing},
-                                                  {"/world", Answer::kMissing},
-                                                  {" ", Answer::kUnknown},
-                                                  {"no such frame", Answer::kUnknown}};
-  for (const auto& [name, answer] : cases) {
-    EXPECT_EQ(answer, ask(100.0, name)) << name;
-    EXPECT_EQ(answer, ask(100.0, "world", name)) << name;
+  const std::pair<const char*, Status> cases[] = {{"", Status::kMissing},
+                                                  {"/world", Status::kMissing},
+                                                  {" ", Status::kUnknown},
+                                                  {"no such frame", Status::kUnknown}};
+  for (const auto& [name, status] : cases) {
+    EXPECT_EQ(status, statusAt(100.0, name)) << name;
+    EXPECT_EQ(status, statusAt(100.0, "world", name)) << name;
   }
 }
 
@@ -72,18 +72,18 @@ TEST_F(Lookup, standsAnyTime) {
   put(100.0, 1.0);
   put(101.0, 2.0);
   for (const double seconds : {1e-9, 2147483648.0, 4294967295.0})
-    EXPECT_NE(Answer::kFound, ask(seconds)) << seconds;
+    EXPECT_NE(Status::kFound, statusAt(seconds)) << seconds;
 }
 
 TEST_F(Lookup, isItselfInItself) {
-  EXPECT_EQ(Answer::kFound, ask(100.0, "camera", "camera"));
+  EXPECT_EQ(Status::kFound, statusAt(100.0, "camera", "camera"));
   EXPECT_TRUE(lookup_.transform.isApprox(Eigen::Isometry3d::Identity()));
 }
 
 TEST_F(Lookup, holdsAtAllTimesIfStatic) {
   put(100.0, 3.0, true);
   for (const double seconds : {0.0, 1.0, 100.0, 4294967295.0}) {
-    EXPECT_EQ(Answer::kFound, ask(seconds)) << seconds;
+    EXPECT_EQ(Status::kFound, statusAt(seconds)) << seconds;
     EXPECT_EQ(3.0, lookup_.transform.translation().x());
   }
 }
@@ -91,21 +91,21 @@ TEST_F(Lookup, holdsAtAllTimesIfStatic) {
 TEST_F(Lookup, takesTheNewestForTimeZero) {
   put(100.0, 1.0);
   put(101.0, 2.0);
-  ASSERT_EQ(Answer::kFound, ask(0.0));
+  ASSERT_EQ(Status::kFound, statusAt(0.0));
   EXPECT_NEAR(2.0, lookup_.transform.translation().x(), 1e-9);
 }
 
 // Row 21: without simulated time tf is not notified that a bag loops.
 TEST_F(Lookup, tellsWhatIsTooOldForTf) {
   for (int i = 0; i <= 20; ++i) put(1000.0 + i, 1.0);
-  EXPECT_EQ(Answer::kUnknown, ask(500.0)) << "from now on those of the new time may come";
-  EXPECT_EQ(Answer::kFound, ask(1015.0)) << "one old image has emptied the buffer";
+  EXPECT_EQ(Status::kUnknown, statusAt(500.0)) << "from now on those of the new time may come";
+  EXPECT_EQ(Status::kFound, statusAt(1015.0)) << "one old image has emptied the buffer";
 }
 
 TEST_F(Lookup, tellsByHowMuchItWasMissed) {
   put(100.0, 1.0);
   put(101.0, 2.0);
-  ASSERT_EQ(Answer::kLate, ask(101.25));
+  ASSERT_EQ(Status::kLate, statusAt(101.25));
   EXPECT_NEAR(0.25, lookup_.missed_by, 1e-6);
   const std::string text = explain(lookup_, 0.1);
   EXPECT_NE(std::string::npos, text.find("250 ms older than the image, 100 ms were waited for it")) << text;
@@ -122,15 +122,15 @@ TEST_F(Lookup, refusesWhatIsNotAPosition) {
     message.transform.rotation.w = 1.0;
     ASSERT_TRUE(buffer.setTransform(message, "test", true));
     const TransformLookup found = lookUp(buffer, "world", "camera", ros::Time(5.0));
-    EXPECT_EQ(Answer::kMissing, found.answer) << x;
+    EXPECT_EQ(Status::kMissing, found.status) << x;
     EXPECT_FALSE(found.problem.empty());
   }
 }
 
-TEST(ClockWatch, tellsWhenTheStampsOfAFrameFall) {
-  ClockWatch clock;
+TEST(ClockJumpDetector, tellsWhenTheStampsOfAFrameFall) {
+  ClockJumpDetector clock;
   const auto at = [&clock](const char* child, double seconds) {
-    return clock.wentBack(child, ros::Time(seconds));
+    return clock.jumpedBack(child, ros::Time(seconds));
   };
   EXPECT_FALSE(at("camera", 1000.0));
   EXPECT_FALSE(at("late", 500.0)) << "a publisher that is always late";

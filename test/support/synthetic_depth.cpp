@@ -86,9 +86,9 @@ void addNoise(const NoiseParameters& noise, double factor, Random& random, Depth
   }
 }
 
-void addHoles(double share, int patches, Random& random, DepthImage& depth) {
+void addHoles(double fraction, int patches, Random& random, DepthImage& depth) {
   for (float& z : depth.z) {
-    if (random.chance(share)) z = 0.0F;
+    if (random.chance(fraction)) z = 0.0F;
   }
   for (int i = 0; i < patches; ++i) {
     Region hole = randomRegion(depth.width, depth.height, random);

@@ -52,8 +52,8 @@ DepthImage halves(const Surface& left, const Surface& right, const CameraIntrins
 /// Moves every depth by the noise of Eq. 5 times `factor`.
 void addNoise(const NoiseParameters& noise, double factor, Random& random, DepthImage& depth);
 
-/// Takes the depth of a share of the pixels, one by one, and of a few patches.
-void addHoles(double share, int patches, Random& random, DepthImage& depth);
+/// Sets a fraction of the pixels, and a few patches, to invalid depth.
+void addHoles(double fraction, int patches, Random& random, DepthImage& depth);
 
 /// A tilted background with patches of other planes before it: depth steps, creases, noise and holes, as the
 /// seed has it. Some scenes are free of noise and made of equal squares, so that planes of equal size occur.

@@ -20,10 +20,10 @@ struct CloudView {
   int height = 0;              ///< [px]
   std::size_t row_step = 0;    ///< [bytes] from one row to the next
   std::size_t point_step = 0;  ///< [bytes] from one point to the next
-  std::size_t x = 0;           ///< [bytes] from the point to its x, a float
-  std::size_t y = 0;           ///< [bytes] to its y
-  std::size_t z = 0;           ///< [bytes] to its z
-  bool swap_bytes = false;     ///< the byte order differs from the host's
+  std::size_t x = 0;           ///< [bytes] offset of x, a float, in the point
+  std::size_t y = 0;           ///< [bytes] offset of y
+  std::size_t z = 0;           ///< [bytes] offset of z
+  bool swap_bytes = false;     ///< true if the byte order differs from the host's
 };
 
 /// Validates a cloud before any point is read. Does not allocate and never throws, for any message.
@@ -32,12 +32,12 @@ Refusal viewOf(const sensor_msgs::PointCloud2& cloud, const InputLimits& limits,
 
 /// Pinhole camera of an organised cloud, estimated from x / z and y / z of its points.
 struct CloudCamera {
-  Refusal refusal = Refusal::kNone;  ///< or kNotPinhole
+  Refusal refusal = Refusal::kNone;  ///< kNone, or kNotPinhole if no pinhole camera fits
   CameraIntrinsics camera;
   double deviation = 0.0;  ///< [px] root mean square distance of pixels from the projections of their points
 };
 
-/// Fits a pinhole camera to a sample of the points. With too few points the camera is arbitrary; so few
+/// Fits a pinhole camera to a sample of the points. If they are too few, the camera is arbitrary; so few
 /// points contain no plane.
 CloudCamera cameraOf(const CloudView& cloud);
 

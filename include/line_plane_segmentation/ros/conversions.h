@@ -42,13 +42,14 @@ sensor_msgs::PointCloud2::Ptr coloredCloud(const SegmentedFrame& frame);
 /// Returns an rgb8 image: depth as grey, near is light, tinted with the colours of the planes' ids.
 sensor_msgs::Image::Ptr overlayImage(const SegmentedFrame& frame);
 
-/// For rviz: a DELETEALL, and for each plane its outlines with holes (namespace "outlines"), an arrow along
-/// its normal ("normals") and its id, area and, if known, orientation ("ids"). Arrow and text are placed at
-/// a visible point of the plane.
+/// Returns markers for rviz: a DELETEALL, and for each plane its outlines with holes (namespace "outlines"),
+/// an arrow along its normal ("normals") and its id, area and, if known, orientation ("ids"). Arrow and text
+/// are placed at a visible point of the plane.
 visualization_msgs::MarkerArray::Ptr planeMarkers(const SegmentedFrame& frame);
 
-/// For rviz, intermediate results as in Figure 4 of the paper: a DELETEALL, the line segments along rows
-/// ("rows") and columns ("columns") of the image, and the candidates' normals ("candidates").
+/// Returns markers for rviz of intermediate results, as in Figure 4 of the paper: a DELETEALL, the line
+/// segments along rows ("rows") and columns ("columns") of the image, and the candidates' normals
+/// ("candidates").
 /// @param segments, candidates  of this frame
 visualization_msgs::MarkerArray::Ptr scanlineMarkers(const SegmentedFrame& frame,
                                                      const std::vector<LineSegment>& segments,

@@ -39,7 +39,7 @@ const char* nameOf(Refusal refusal);
 constexpr double kMinDepthUnit = 1e-6;
 constexpr double kMaxDepthUnit = 0.1;
 
-/// What the nodelet takes at most, and what its numbers mean.
+/// Largest accepted image, and unit of 16-bit depths.
 struct InputLimits {
   std::uint64_t max_pixels = std::uint64_t{1} << 24;  ///< [px] largest number of pixels of an image
   double depth_unit = 0.001;                          ///< [m] depth of one count of a 16-bit image
@@ -67,13 +67,13 @@ struct Validation {
 Validation validate(const sensor_msgs::Image& image, const sensor_msgs::CameraInfo& info,
                     const InputLimits& limits = {});
 
-/// Returns whether camera_info describes images of this size, binning and region of interest included.
+/// Returns true if camera_info describes images of this size, with binning and region of interest applied.
 bool sizesMatch(const sensor_msgs::Image& image, const sensor_msgs::CameraInfo& info);
 
-/// Returns the intrinsics K of the image as the sensor gives it, binning and region of interest included.
+/// Returns the intrinsics K of the raw image, with binning and region of interest applied.
 CameraIntrinsics rawIntrinsics(const sensor_msgs::CameraInfo& info);
 
-/// Returns those of P, of the rectified image.
+/// Returns the intrinsics P of the rectified image, with binning and region of interest applied.
 CameraIntrinsics rectifiedIntrinsics(const sensor_msgs::CameraInfo& info);
 
 /// Returns one line for the user: the fault of the messages and its remedy.

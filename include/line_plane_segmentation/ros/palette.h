@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-// The palette's earlier place, for programs that include it from there.
+// Former path of the palette, kept for programs that include it.
 #include "line_plane_segmentation/palette.h"

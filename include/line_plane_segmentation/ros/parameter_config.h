@@ -16,13 +16,13 @@ namespace line_plane_segmentation {
 
 /// Parameters that can be changed at run time.
 struct NodeletParameters {
-  std::string preset = "kinect";  ///< which preset `method` is, or "custom"
+  std::string preset = "kinect";  ///< name of the preset that `method` is equal to, or "custom"
   Parameters method;
   LocationParameters location;
   RobotParameters robot;
 };
 
-/// Calls `visitor(name, value, min, max)` like visitParameters(), for all parameters except texts.
+/// Calls `visitor(name, value, min, max)` like visitParameters(), for all parameters except strings.
 template <typename ParametersType, typename Visitor>
 void visitNodeletParameters(ParametersType& p, Visitor&& visitor) {
   visitParameters(p.method, visitor);
@@ -32,7 +32,7 @@ void visitNodeletParameters(ParametersType& p, Visitor&& visitor) {
   visitor("tf_patience", p.location.frames.tf_patience, 0.0, 1.0);
 }
 
-/// Calls `visitor(name, value)` for the frames' names.
+/// Calls `visitor(name, value)` for the frame parameters, which are strings.
 template <typename ParametersType, typename Visitor>
 void visitFrames(ParametersType& p, Visitor&& visitor) {
   visitor("target_frame", p.location.frames.target_frame);
@@ -40,7 +40,7 @@ void visitFrames(ParametersType& p, Visitor&& visitor) {
   visitor("fixed_frame", p.location.frames.fixed_frame);
 }
 
-/// Calls `visitor(name, value)` for all parameters that are texts, but the preset.
+/// Calls `visitor(name, value)` for all string parameters except the preset.
 template <typename ParametersType, typename Visitor>
 void visitTexts(ParametersType& p, Visitor&& visitor) {
   visitFrames(p, visitor);
@@ -69,6 +69,6 @@ void checkParameterServer(const ros::NodeHandle& private_nh);
 /// if the preset is not the default, sets the preset's parameters that are not set yet.
 /// @pre checkParameterServer() has not thrown
 /// @return the preset's name
-std::string spreadPreset(const ros::NodeHandle& private_nh);
+std::string expandPreset(const ros::NodeHandle& private_nh);
 
 }  // namespace line_plane_segmentation

@@ -6,19 +6,28 @@
 
 namespace line_plane_segmentation {
 
-/// Which planes are left out of the cloud without planes while a gravity frame is set. Without one it is all
-/// planes.
+/// Planes that are left out of ~cloud_without_planes while a gravity frame is set. Without a gravity frame
+/// all planes are left out.
 struct ObstacleParameters {
-  bool remove_floor = true;             ///< horizontal, visible from above, at floor_height
-  bool remove_horizontal_up = false;    ///< floors, tables
-  bool remove_horizontal_down = false;  ///< ceilings
-  bool remove_vertical = false;         ///< walls
-  bool remove_slanted = false;          ///< ramps
-  double floor_height = 0.0;            ///< [m] z of the floor in the gravity frame
-  double floor_tolerance = 0.1;         ///< [m] that the floor's centroid may be off floor_height
+  /// [-] Leave out horizontal planes at floor_height. Switch off to keep the floor as an obstacle.
+  bool remove_floor = true;
+  /// [-] Leave out all floors and tables. Switch on if tables are not obstacles.
+  bool remove_horizontal_up = false;
+  /// [-] Leave out ceilings. Switch on if they are not obstacles.
+  bool remove_horizontal_down = false;
+  /// [-] Leave out walls. Switch on if they are not obstacles.
+  bool remove_vertical = false;
+  /// [-] Leave out slanted planes. Switch on if ramps are not obstacles.
+  bool remove_slanted = false;
+  /// [m] z coordinate of the floor in the gravity_frame. Increase to expect the floor higher; decrease to
+  /// expect it lower.
+  double floor_height = 0.0;
+  /// [m] Largest distance of the floor's centroid from floor_height. Increase to accept uneven
+  /// floors; decrease to keep low platforms as obstacles.
+  double floor_tolerance = 0.1;
 };
 
-/// As visitParameters() for the method's parameters: the one list of names and bounds.
+/// Calls `visitor(name, value, min, max)` for each parameter, as visitParameters() does for the method's.
 template <typename ParametersType, typename Visitor>
 void visitObstacleParameters(ParametersType& p, Visitor&& visitor) {
   visitor("remove_floor", p.remove_floor, false, true);
@@ -30,14 +39,14 @@ void visitObstacleParameters(ParametersType& p, Visitor&& visitor) {
   visitor("floor_tolerance", p.floor_tolerance, 0.0, 10.0);
 }
 
-/// All that decides what is made from the planes for a robot's use.
+/// Parameters of the outputs for robots: obstacle cloud, objects and fused planes.
 struct RobotParameters {
   ObstacleParameters obstacles;
   ObjectParameters objects;
   FusionParameters fusion;
 };
 
-/// Calls `visitor` for all of them.
+/// Calls `visitor(name, value, min, max)` for all of them.
 template <typename ParametersType, typename Visitor>
 void visitRobotParameters(ParametersType& p, Visitor&& visitor) {
   visitObstacleParameters(p.obstacles, visitor);

@@ -7,14 +7,13 @@
 
 namespace line_plane_segmentation::simulation {
 
-/// The path of a hand-held camera that looks around: smooth and slow, under
-/// 0.3 m/s and 30 degrees/s, with a slight tremor. Defined at all times; it comes by the same places
-/// again and again, but never repeats itself.
+/// Path of a hand-held camera: smooth and slow, below 0.3 m/s and 30 degrees/s, with a slight tremor. Defined
+/// for all times. The path is not periodic, but returns close to earlier poses.
 class CameraPath {
  public:
   /// @param station  [m] centre of the path in the world frame; the camera stays within 0.6 m of it
-  /// @param target   [m] world, the point that the camera mostly faces; not straight above or below the
-  /// station
+  /// @param target   [m] point in the world frame that the camera mostly faces; not exactly above or below
+  /// the station
   CameraPath(const Eigen::Vector3d& station, const Eigen::Vector3d& target, std::uint64_t seed);
 
   /// @param seconds  [s] time since the start

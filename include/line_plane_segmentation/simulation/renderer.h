@@ -10,10 +10,10 @@
 
 namespace line_plane_segmentation::simulation {
 
-/// A visible plane: all p with normal . p + d = 0, in the optical frame.
+/// Visible plane: all points p with normal . p + d = 0, in the optical frame.
 struct VisiblePlane {
   std::uint16_t label = 0;                           ///< label of its pixels
-  Eigen::Vector3d normal = Eigen::Vector3d::Zero();  ///< unit, toward the camera
+  Eigen::Vector3d normal = Eigen::Vector3d::Zero();  ///< unit normal, towards the camera
   double d = 0.0;                                    ///< [m] distance to the camera, positive
   std::uint32_t pixels = 0;                          ///< number of its pixels, at least 1
 };

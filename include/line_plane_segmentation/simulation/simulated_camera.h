@@ -12,13 +12,13 @@ namespace line_plane_segmentation::simulation {
 
 constexpr int kMaxImageSide = 4096;  ///< [px]
 
-/// The intrinsics of a Kinect or Xtion whose image has this size: 525 px at 640 columns, the axis in the
-/// middle.
+/// Returns the intrinsics of a Kinect or Xtion with images of this size: focal length 525 px at 640 columns,
+/// optical axis in the centre.
 /// @param width,height  [px], positive
 CameraIntrinsics kinectIntrinsics(int width, int height);
 
-/// A Kinect that is carried through a simulated room. Reads no clock: a frame depends on the seed, its
-/// number and its time alone.
+/// Simulated Kinect that moves through a simulated room. Reads no clock: a frame depends only on the seed,
+/// its number and its time.
 class SimulatedCamera {
  public:
   /// Settings of the camera.
@@ -42,11 +42,11 @@ class SimulatedCamera {
   /// Returns the pose of the optical frame in the world (z up) at this time.
   Eigen::Isometry3d pose(double seconds) const { return room_.path.pose(seconds); }
 
-  /// Intrinsics of the images.
+  /// Returns the intrinsics of the images.
   const CameraIntrinsics& intrinsics() const { return intrinsics_; }
-  /// The options given to the constructor.
+  /// Returns the options given to the constructor.
   const Options& options() const { return options_; }
-  /// The room that the camera moves through.
+  /// Returns the room that the camera moves through.
   const Room& room() const { return room_; }
 
  private:

@@ -7,7 +7,7 @@ namespace {
 void computeAxis(double focal_length, double centre, int count, std::vector<float>& axis) {
   axis.resize(static_cast<std::size_t>(count));
   for (int i = 0; i < count; ++i) {
-    axis[static_cast<std::size_t>(i)] = static_cast<float>((i - centre) / focal_length);
+    axis[i] = static_cast<float>((i - centre) / focal_length);
   }
 }
 

@@ -10,10 +10,7 @@ namespace {
 class RingView {
  public:
   RingView(const Segmentation& segmentation, int ring, int x_axis, int y_axis)
-      : ring_(segmentation.rings[static_cast<std::size_t>(ring)]),
-        vertices_(segmentation.vertices),
-        x_axis_(x_axis),
-        y_axis_(y_axis) {}
+      : ring_(segmentation.rings[ring]), vertices_(segmentation.vertices), x_axis_(x_axis), y_axis_(y_axis) {}
 
   int size() const { return ring_.vertex_count; }
   float x(int i) const { return vertex(i)[x_axis_]; }
@@ -37,9 +34,7 @@ class RingView {
   }
 
  private:
-  const Eigen::Vector3f& vertex(int i) const {
-    return vertices_[static_cast<std::size_t>(ring_.first_vertex + i)];
-  }
+  const Eigen::Vector3f& vertex(int i) const { return vertices_[ring_.first_vertex + i]; }
 
   const Ring& ring_;
   const std::vector<Eigen::Vector3f>& vertices_;
@@ -62,7 +57,7 @@ std::vector<int> partsOfHoles(const Segmentation& segmentation, const SegmentedP
     for (int part = plane.outer_ring_count - 1; part > 0; --part) {
       const RingView outer(segmentation, plane.first_ring + part, x_axis, y_axis);
       if (2 * outer.countEnclosed(hole) <= hole.size()) continue;
-      parts[static_cast<std::size_t>(h)] = part;
+      parts[h] = part;
       break;
     }
   }

@@ -86,7 +86,7 @@ void OutlineTracer::trace(const CameraIntrinsics& camera, const OutlineParameter
   const Border* border = borders.data();
   const Border* const end = border + borders.size();
   for (int label = 1; label <= label_count; ++label) {
-    SegmentedPlane& plane = segmentation.planes[static_cast<std::size_t>(label - 1)];
+    SegmentedPlane& plane = segmentation.planes[label - 1];
     plane.first_ring = static_cast<int>(segmentation.rings.size());
     const Border* const first = border;
     while (border != end && border->label == label) ++border;

@@ -20,12 +20,12 @@ void samplePlanes(const Segmentation& segmentation, const CameraIntrinsics& came
     for (int u = step / 2; u < segmentation.width; u += step) {
       if (labels[u] == 0) continue;
       const int k = labels[u] - 1;
-      const SegmentedPlane& plane = segmentation.planes[static_cast<std::size_t>(k)];
+      const SegmentedPlane& plane = segmentation.planes[k];
       const Eigen::Vector3d ray((u - camera.cx) / camera.fx, (v - camera.cy) / camera.fy, 1.0);
       const double along = plane.normal.dot(ray);
       if (along > kEdgeOn) continue;
       samples.push_back({(-plane.d / along * ray).cast<float>(), k});
-      ++counts[static_cast<std::size_t>(k)];
+      ++counts[k];
     }
   }
 }
@@ -49,7 +49,7 @@ void VoteTable::count(const std::vector<PlaneSample>& samples, std::size_t owner
   pairs_.assign(owner_count, 0);
   votes_.resize(samples.size());
   first_.assign(owner_count + 1, 0);
-  for (const PlaneSample& sample : samples) ++first_[static_cast<std::size_t>(sample.owner) + 1];
+  for (const PlaneSample& sample : samples) ++first_[sample.owner + 1];
   for (std::size_t owner = 0; owner < owner_count; ++owner) first_[owner + 1] += first_[owner];
 
   const auto fx = static_cast<float>(camera.fx), fy = static_cast<float>(camera.fy);
@@ -67,7 +67,7 @@ void VoteTable::count(const std::vector<PlaneSample>& samples, std::size_t owner
                               static_cast<std::size_t>(u);
     const int label = segmentation.labels[pixel];
     if (label == 0) continue;
-    const SegmentedPlane& plane = segmentation.planes[static_cast<std::size_t>(label) - 1];
+    const SegmentedPlane& plane = segmentation.planes[label - 1];
     const float distance = plane.normal.cast<float>().dot(p) + static_cast<float>(plane.d);
     add(owner, label - 1, std::abs(distance) / p.z());
   }

@@ -87,8 +87,8 @@ void PlaneTracker::Memory::move(const RigidTransform* motion) {
     track.centroid = *motion * track.centroid;
   }
   if (motion == nullptr) return;
-  const Eigen::Isometry3f placement = motion->cast<float>();
-  for (PlaneSample& sample : samples) sample.point = placement * sample.point;
+  const Eigen::Isometry3f current_from_last = motion->cast<float>();
+  for (PlaneSample& sample : samples) sample.point = current_from_last * sample.point;
 }
 
 void PlaneTracker::Memory::matchByOverlap(const std::vector<SegmentedPlane>& planes) {
@@ -136,8 +136,8 @@ void PlaneTracker::Memory::takeBestPairs() {
     return a.track != b.track ? a.track < b.track : a.plane < b.plane;
   });
   for (const Pair& pair : pairs) {
-    PlaneTrack& track = tracks[static_cast<std::size_t>(pair.track)];
-    int& track_of_plane = track_of[static_cast<std::size_t>(pair.plane)];
+    PlaneTrack& track = tracks[pair.track];
+    int& track_of_plane = track_of[pair.plane];
     if (track.plane >= 0 || track_of_plane >= 0) continue;
     track.plane = pair.plane;
     track_of_plane = pair.track;
@@ -163,7 +163,7 @@ void PlaneTracker::Memory::keepLostTracks(double seconds) {
   }
   next_samples.clear();
   for (const PlaneSample& sample : samples) {
-    const int index = next_index[static_cast<std::size_t>(sample.owner)];
+    const int index = next_index[sample.owner];
     if (index >= 0) next_samples.push_back({sample.point, index});
   }
 }
@@ -173,7 +173,7 @@ void PlaneTracker::Memory::addSeenTracks(const std::vector<SegmentedPlane>& plan
   for (std::size_t k = 0; k < tracked; ++k) {
     const SegmentedPlane& plane = planes[k];
     const bool is_new = track_of[k] < 0;
-    const PlaneTrack* known = is_new ? nullptr : &tracks[static_cast<std::size_t>(track_of[k])];
+    const PlaneTrack* known = is_new ? nullptr : &tracks[track_of[k]];
     const std::uint32_t id = is_new ? ++last_id : known->id;
     next_tracks.push_back({id, is_new ? id : known->surface, seconds, plane.normal, plane.d, plane.centroid,
                            plane.inliers, static_cast<std::size_t>(seen_count[k]), -1});

@@ -39,7 +39,7 @@ void joinParts(const std::vector<SegmentedPlane>& planes, const std::vector<int>
       const auto k = static_cast<std::size_t>(shared->plane);
       if (k >= track_of.size() || track_of[k] < 0) continue;
       if (!liesIn(tracks[t], votes.inView(t), planes[k], *shared)) continue;
-      join(tracks[t].surface, tracks[static_cast<std::size_t>(track_of[k])].surface, tracks);
+      join(tracks[t].surface, tracks[track_of[k]].surface, tracks);
     }
   }
 }

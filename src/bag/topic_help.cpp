@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "topic_advice.h"
+#include "topic_help.h"
 
 namespace line_plane_segmentation {
 namespace {
@@ -48,7 +48,7 @@ std::string describeTopics(const std::map<std::string, std::string>& types, cons
   return text;
 }
 
-std::string adviseOnInfos(const std::vector<std::string>& infos) {
+std::string describeInfoOptions(const std::vector<std::string>& infos) {
   const std::string camera = "give the intrinsics with --camera FX,FY,CX,CY";
   return infos.empty()
              ? "there is none: " + camera

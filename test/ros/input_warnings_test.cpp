@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "input_advice.h"
+#include "input_warnings.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "input_advice.h"
+#include "input_warnings.h"
 
 #include <ros/console.h>
 
@@ -8,7 +8,7 @@
 #include <sstream>
 #include <vector>
 
-#include "short_text.h"
+#include "printable_text.h"
 
 namespace line_plane_segmentation {
 namespace {
@@ -17,7 +17,7 @@ bool startsWithSlash(const std::string& frame_id) { return !frame_id.empty() && 
 
 }  // namespace
 
-bool InputAdvice::isDue(TimePoint& last) {
+bool InputWarnings::isDue(TimePoint& last) {
   constexpr std::chrono::seconds kPause(5);
   const TimePoint now = std::chrono::steady_clock::now();
   if (last != TimePoint{} && now - last < kPause) return false;
@@ -25,13 +25,13 @@ bool InputAdvice::isDue(TimePoint& last) {
   return true;
 }
 
-void InputAdvice::once(bool& told, const std::string& text) {
-  if (!told) ROS_WARN("[%s] %s", name_.c_str(), text.c_str());
-  told = true;
+void InputWarnings::warnOnce(bool& warned, const std::string& text) {
+  if (!warned) ROS_WARN("[%s] %s", name_.c_str(), text.c_str());
+  warned = true;
 }
 
-void InputAdvice::transformed(Purpose purpose, const TransformLookup& lookup, double patience) {
-  constexpr std::array<const char*, kPurposeCount> kWhatFails = {
+void InputWarnings::countLookup(TransformPurpose purpose, const TransformLookup& lookup, double patience) {
+  constexpr std::array<const char*, kTransformPurposeCount> kWhatFails = {
       "~target_frame, so that the frames are refused", "~gravity_frame, so that orientations are unknown",
       "~fixed_frame, so that ids go by the images alone"};
   constexpr int kFewest = 5;
@@ -46,57 +46,61 @@ void InputAdvice::transformed(Purpose purpose, const TransformLookup& lookup, do
            explain(lookup, patience).c_str());
 }
 
-void InputAdvice::refused(Refusal refusal, const std::string& explanation) {
+void InputWarnings::warnAboutRefusal(Refusal refusal, const std::string& explanation) {
   if (isDue(last_refused_[static_cast<std::size_t>(refusal)])) {
     ROS_WARN("[%s] refused a frame (%s): %s", name_.c_str(), nameOf(refusal), explanation.c_str());
   }
 }
 
-void InputAdvice::failed(const std::string& problem) {
+void InputWarnings::warnAboutFailure(const std::string& problem) {
   if (isDue(last_failed_)) ROS_ERROR("[%s] a frame failed: %s", name_.c_str(), problem.c_str());
 }
 
-void InputAdvice::accepted(const CameraFrame& frame, const Validation& input) {
-  if (input.intrinsics_from_k) once(told_intrinsics_from_k_, "camera_info has no P: K is used in its place");
+void InputWarnings::checkFrame(const InputFrame& frame, const Validation& input) {
+  if (input.intrinsics_from_k)
+    warnOnce(warned_intrinsics_from_k_, "camera_info has no P: K is used in its place");
   if (input.distorted) {
-    once(told_distorted_,
-         frame.cloud ? "the clouds come from a camera with distortion: planes bend toward the borders"
-                     : "camera_info has distortion: unless the images are rectified, planes bend "
-                       "toward their borders. ~rectify: true rectifies them here");
+    warnOnce(warned_distorted_,
+             frame.cloud ? "the clouds come from a camera with distortion: planes bend toward the borders"
+                         : "camera_info has distortion: unless the images are rectified, planes bend "
+                           "toward their borders. ~rectify: true rectifies them here");
   }
   const std::string& image_frame = frame.header().frame_id;
-  if (image_frame.empty()) once(told_no_frame_, "the images have no frame_id: rviz and tf cannot place them");
+  if (image_frame.empty())
+    warnOnce(warned_no_frame_, "the images have no frame_id: rviz and tf cannot place them");
   if (startsWithSlash(image_frame)) {
-    once(told_slash_, "the images' frame_id '" + shortText(image_frame) +
-                          "' starts with a slash, which tf2 refuses: it is cut off");
+    warnOnce(warned_slash_, "the images' frame_id '" + printableText(image_frame) +
+                                "' starts with a slash, which tf2 refuses: it is cut off");
   }
   if (frame.cloud) return;
   const std::string& info_frame = frame.info->header.frame_id;
   if (info_frame != image_frame) {
-    once(told_other_frame_, "camera_info has frame_id '" + shortText(info_frame) + "', the images have '" +
-                                shortText(image_frame) + "': that of the images counts");
+    warnOnce(warned_other_frame_, "camera_info has frame_id '" + printableText(info_frame) +
+                                      "', the images have '" + printableText(image_frame) +
+                                      "': that of the images counts");
   }
 }
 
-void InputAdvice::segmented(const Validation& input, const DepthRange& range,
-                            const Segmentation& segmentation) {
+void InputWarnings::checkSegmentation(const Validation& input, const DepthRange& range,
+                                      const Segmentation& segmentation) {
   constexpr int kImages = 30;
   const std::size_t pixels = segmentation.labels.size();
   const std::size_t with_depth = segmentation.valid_pixels;
   if (2 * with_depth < pixels) {
-    if (!told_out_of_range_) adviseOnRange(input.view, range);
+    if (!warned_out_of_range_) warnAboutRange(input.view, range);
     return;
   }
   without_plane_ = segmentation.planes.empty() ? without_plane_ + 1 : 0;
   if (without_plane_ < kImages) return;
-  once(told_no_plane_, std::to_string(100 * with_depth / pixels) +
-                           " % of the pixels have depth, but no plane was found in " +
-                           std::to_string(kImages) + " images. " +
-                           "Is ~depth_unit right, and camera_info that of these images? Otherwise lower "
-                           "~min_plane_inliers, or raise ~noise_growth for a noisier camera");
+  warnOnce(warned_no_plane_,
+           std::to_string(100 * with_depth / pixels) +
+               " % of the pixels have depth, but no plane was found in " + std::to_string(kImages) +
+               " images. " +
+               "Is ~depth_unit right, and camera_info that of these images? Otherwise lower "
+               "~min_plane_inliers, or raise ~noise_growth for a noisier camera");
 }
 
-void InputAdvice::adviseOnRange(const DepthView& depth, const DepthRange& range) {
+void InputWarnings::warnAboutRange(const DepthView& depth, const DepthRange& range) {
   const OutOfRange fractions = fractionsOutOfRange(depth, range);
   if (fractions.near + fractions.beyond <= 0.5) return;
   std::ostringstream text;
@@ -108,7 +112,7 @@ void InputAdvice::adviseOnRange(const DepthView& depth, const DepthRange& range)
   } else {
     text << (fractions.beyond > fractions.near ? "are they in millimetres?" : "are they in metres?");
   }
-  once(told_out_of_range_, text.str());
+  warnOnce(warned_out_of_range_, text.str());
 }
 
 OutOfRange fractionsOutOfRange(const DepthView& depth, const DepthRange& range) {

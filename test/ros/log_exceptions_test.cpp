@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "contain_exceptions.h"
+#include "log_exceptions.h"
 
 #include <gtest/gtest.h>
 
@@ -9,10 +9,10 @@ namespace line_plane_segmentation {
 namespace {
 
 TEST(ContainExceptions, LetsNoneThrough) {
-  containExceptions("test", [] { throw std::bad_alloc(); });
-  containExceptions("test", [] { throw 1; });
+  logExceptions("test", [] { throw std::bad_alloc(); });
+  logExceptions("test", [] { throw 1; });
   bool called = false;
-  containExceptions("test", [&] { called = true; });
+  logExceptions("test", [&] { called = true; });
   EXPECT_TRUE(called);
 }
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "text_layout.h"
+#include "text_overlap.h"
 
 #include <algorithm>
 #include <sstream>
 
 namespace line_plane_segmentation {
 
-bool TextLayout::reserve(const Eigen::Vector3d& center, double height, const std::string& text) {
+bool TextOverlapFilter::addIfFree(const Eigen::Vector3d& center, double height, const std::string& text) {
   // rviz's font, in heights of a capital letter.
   constexpr double kCharacterWidth = 0.6;
   constexpr double kLineSpacing = 1.3;

@@ -12,7 +12,7 @@ namespace line_plane_segmentation {
 /// the manager with all its nodelets.
 /// @param name  name for the log
 template <typename Callback>
-void containExceptions(const std::string& name, Callback&& callback) noexcept {
+void logExceptions(const std::string& name, Callback&& callback) noexcept {
   try {
     try {
       callback();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "label_anchor.h"
+#include "text_anchor.h"
 
 #include <algorithm>
 #include <array>
@@ -11,13 +11,13 @@
 namespace line_plane_segmentation {
 namespace {
 
-constexpr int kCellsAcross = 80;
+constexpr int kCellsPerRow = 80;
 
 // Label image of low resolution, with a margin of cells of label 0, and a distance transform of it.
 class CellGrid {
  public:
   explicit CellGrid(const Segmentation& segmentation)
-      : side_(std::max(1, segmentation.width / kCellsAcross)),
+      : side_(std::max(1, segmentation.width / kCellsPerRow)),
         columns_(segmentation.width / side_ + 2),
         rows_(segmentation.height / side_ + 2),
         labels_(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_), 0),
@@ -55,18 +55,18 @@ class CellGrid {
 
   // Label of more than half of the cell's samples by Boyer-Moore majority vote, else 0.
   std::uint16_t labelOfCell(const Segmentation& segmentation, int c, int r) const {
-    const std::array<int, 3> places = {side_ / 4, side_ / 2, side_ * 3 / 4};
+    const std::array<int, 3> offsets = {side_ / 4, side_ / 2, side_ * 3 / 4};
     std::uint16_t majority = 0;
-    int lead = 0;
-    for (const int y : places) {
-      for (const int x : places) {
+    int vote_count = 0;
+    for (const int y : offsets) {
+      for (const int x : offsets) {
         const int pixel = ((r - 1) * side_ + y) * segmentation.width + (c - 1) * side_ + x;
-        const std::uint16_t label = segmentation.labels[static_cast<std::size_t>(pixel)];
-        if (lead == 0) majority = label;
-        lead += label == majority ? 1 : -1;
+        const std::uint16_t label = segmentation.labels[pixel];
+        if (vote_count == 0) majority = label;
+        vote_count += label == majority ? 1 : -1;
       }
     }
-    return lead > 0 ? majority : std::uint16_t{0};
+    return vote_count > 0 ? majority : std::uint16_t{0};
   }
 
   void relax(int c, int r, std::initializer_list<Offset> neighbours) {
@@ -82,7 +82,7 @@ class CellGrid {
   int columns_;
   int rows_;
   std::vector<std::uint16_t> labels_;
-  std::vector<int> distances_;  // [cells] to the nearest cell of another label, at least 1
+  std::vector<int> distances_;  // [cells] to the nearest cell of another label, at least_squared_offset 1
 };
 
 // Cells of one plane: count, sums of coordinates, and largest distance to the border.
@@ -90,7 +90,7 @@ struct PlaneCells {
   int count = 0;
   long sum_c = 0;
   long sum_r = 0;
-  int most_room = 0;
+  int max_distance = 0;
 };
 
 std::vector<PlaneCells> cellsOfPlanes(const CellGrid& grid, std::size_t plane_count) {
@@ -101,7 +101,7 @@ std::vector<PlaneCells> cellsOfPlanes(const CellGrid& grid, std::size_t plane_co
       ++plane.count;
       plane.sum_c += c;
       plane.sum_r += r;
-      plane.most_room = std::max(plane.most_room, grid.distance(c, r));
+      plane.max_distance = std::max(plane.max_distance, grid.distance(c, r));
     }
   }
   return cells;
@@ -109,24 +109,24 @@ std::vector<PlaneCells> cellsOfPlanes(const CellGrid& grid, std::size_t plane_co
 
 }  // namespace
 
-std::vector<LabelAnchor> labelAnchors(const Segmentation& segmentation) {
-  constexpr double kEnough = 0.8;  // fraction of the largest distance to the border
+std::vector<TextAnchor> textAnchors(const Segmentation& segmentation) {
+  constexpr double kMinDistanceRatio = 0.8;  // fraction of the largest distance to the border
   const CellGrid grid(segmentation);
   const std::vector<PlaneCells> cells = cellsOfPlanes(grid, segmentation.planes.size());
 
-  std::vector<LabelAnchor> anchors(segmentation.planes.size());
-  std::vector<long> least(anchors.size(), std::numeric_limits<long>::max());
+  std::vector<TextAnchor> anchors(segmentation.planes.size());
+  std::vector<long> least_squared_offset(anchors.size(), std::numeric_limits<long>::max());
   for (int r = 1; r <= grid.rows() - 2; ++r) {
     for (int c = 1; c <= grid.columns() - 2; ++c) {
       const std::uint16_t label = grid.label(c, r);
       const PlaneCells& plane = cells[label];
-      const int room = grid.distance(c, r);
-      if (label == 0 || room < kEnough * plane.most_room) continue;
+      const int distance = grid.distance(c, r);
+      if (label == 0 || distance < kMinDistanceRatio * plane.max_distance) continue;
       const long dc = c - plane.sum_c / plane.count;
       const long dr = r - plane.sum_r / plane.count;
       const std::size_t k = label - std::size_t{1};
-      if (dc * dc + dr * dr >= least[k]) continue;
-      least[k] = dc * dc + dr * dr;
+      if (dc * dc + dr * dr >= least_squared_offset[k]) continue;
+      least_squared_offset[k] = dc * dc + dr * dr;
       anchors[k] = {true, grid.middlePixel(c), grid.middlePixel(r)};
     }
   }
