@@ -5,6 +5,7 @@
 
 #include <vector>
 
+#include "initialised.h"
 #include "line_plane_segmentation/line_segment.h"
 #include "line_plane_segmentation/segmentation.h"
 
@@ -25,12 +26,29 @@ struct PythonSegmentation {
   std::uint32_t assigned_pixels = 0;
 };
 
+}  // namespace line_plane_segmentation
+
+namespace pybind11::detail {
+
+template <>
+class type_caster<line_plane_segmentation::PythonPlane>
+    : public line_plane_segmentation::InitialisedCaster<line_plane_segmentation::PythonPlane> {};
+
+template <>
+class type_caster<line_plane_segmentation::PythonSegmentation>
+    : public line_plane_segmentation::InitialisedCaster<line_plane_segmentation::PythonSegmentation> {};
+
+}  // namespace pybind11::detail
+
+namespace line_plane_segmentation {
+
 /// Copies all of a segmentation.
 /// @param height, width  [px] of the depth image, which a segmentation of an empty one does not have
 PythonSegmentation toPython(const Segmentation& segmentation, pybind11::ssize_t height,
                             pybind11::ssize_t width);
 
 /// Copies the parts of a segmentation that the tracker needs: labels and planes, without outlines.
+/// @throws pybind11::value_error if a label is greater than the number of planes
 Segmentation fromPython(const PythonSegmentation& segmentation);
 
 /// The plane, its covariance, centroid and rings in another frame.
