@@ -179,9 +179,10 @@ TEST(SetParameter, KnowsEveryParameterAndItsBounds) {
 
 TEST(SetParameter, ReadsEachType) {
   Parameters parameters;
-  EXPECT_EQ(setParameter("fine_spacing", "3", parameters),
-            "no parameter is named 'fine_spacing' any more: line segments end at the borders of narrow surfaces "
-            "by themselves");
+  EXPECT_EQ(
+      setParameter("fine_spacing", "3", parameters),
+      "no parameter is named 'fine_spacing' any more: line segments end at the borders of narrow surfaces "
+      "by themselves");
   EXPECT_EQ(setParameter("plane_distance", "0.025", parameters), "");
   EXPECT_EQ(parameters.extraction.plane_distance, 0.025);
   EXPECT_EQ(setParameter("max_curvature", " 1e-3 ", parameters), "");
