@@ -26,17 +26,20 @@ struct DepthView {
   int height = 0;        ///< [px]
   std::size_t step = 0;  ///< [bytes] from one row to the next
   DepthType type = DepthType::kUint16;
-  float metres_per_unit = 0.001F;  ///< [m] depth of one unit of the stored number
-  bool swap_bytes = false;         ///< stored in the other byte order than this machine's
+  union {
+    float depth_unit = 0.001F;  ///< [m] depth of one count of the stored number, positive
+    float metres_per_unit;      ///< older name of depth_unit
+  };
+  bool swap_bytes = false;  ///< stored in the other byte order than this machine's
 
   bool empty() const { return data == nullptr || width <= 0 || height <= 0; }
 };
 
 /// A view of a tightly packed 16-bit image.
-DepthView viewOf(const std::uint16_t* pixels, int width, int height, float metres_per_unit = 0.001F);
+DepthView viewOf(const std::uint16_t* pixels, int width, int height, float depth_unit = 0.001F);
 
 /// A view of a tightly packed float image.
-DepthView viewOf(const float* pixels, int width, int height, float metres_per_unit = 1.0F);
+DepthView viewOf(const float* pixels, int width, int height, float depth_unit = 1.0F);
 
 /// Depths outside (min, max) count as missing, and whatever is nearer than a micrometre.
 struct DepthRange {

@@ -104,7 +104,7 @@ void InputAdvice::adviseOnRange(const DepthView& depth, const DepthRange& range)
        << " % of the depths are below ~min_range (" << range.min << " m) or beyond ~max_range (" << range.max
        << " m): ";
   if (depth.type == DepthType::kUint16) {
-    text << "is ~depth_unit (" << depth.metres_per_unit << " m) right?";
+    text << "is ~depth_unit (" << depth.depth_unit << " m) right?";
   } else {
     text << (fractions.beyond > fractions.near ? "are they in millimetres?" : "are they in metres?");
   }

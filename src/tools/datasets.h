@@ -20,11 +20,11 @@ std::string datasetHelp();
 /// @param dataset  "tum", whose intrinsics depend on the sequence's name, "icl_nuim", "nyu", "7scenes" or
 /// "scannet"
 /// @param folder   of one sequence, as it is when unpacked
-/// @param camera, units_per_metre  in place of the data set's own
+/// @param camera, depth_unit  in place of the data set's own
 /// @throws BadInput if there is no such data set or folder, or no image in it
 std::vector<DepthFrame> framesOfDataset(const std::string& dataset, const std::filesystem::path& folder,
                                         const std::optional<CameraIntrinsics>& camera,
-                                        const std::optional<double>& units_per_metre);
+                                        const std::optional<double>& depth_unit);
 
 /// The PNGs of a folder, ordered by name with numbers compared as numbers. Without PNGs, the images of the
 /// first other format of depthFormats(); without any, those of its subfolder depth/. Results of segment_depth

@@ -17,7 +17,7 @@ struct DepthFrame {
   std::string name;  ///< first part of the names of its results
   std::filesystem::path image;
   CameraIntrinsics camera;
-  double units_per_metre = 1000.0;
+  double depth_unit = 0.001;                    ///< [m] depth of one count
   int width = 0;                                ///< [px] of the image; 0: any
   int height = 0;                               ///< [px]
   bool largest_is_none = false;                 ///< 65535 in the image means no depth, as 0 does
@@ -34,7 +34,7 @@ CameraIntrinsics parseCamera(const std::string& text);
 /// The frames of images that share one camera, each named after its file without the extension.
 /// @throws BadInput if the depth unit is not a positive number
 std::vector<DepthFrame> framesOfImages(const std::vector<std::string>& images, const CameraIntrinsics& camera,
-                                       double units_per_metre);
+                                       double depth_unit);
 
 /// The frames of a table (CSV as RFC 4180: cells may be quoted, "" is a quote; a byte order mark is skipped)
 /// with the columns frame, width, height, depth_unit or units_per_metre, fx, fy, cx, cy; other columns are
@@ -52,7 +52,7 @@ void checkNames(const std::vector<DepthFrame>& frames);
 cv::Mat decodeDepth(const std::vector<unsigned char>& bytes, const DepthFrame& frame);
 
 /// A view of a depth image as decodeDepth() returns it, which has to outlive the view.
-DepthView depthViewOf(const cv::Mat& depth, double units_per_metre);
+DepthView depthViewOf(const cv::Mat& depth, double depth_unit);
 
 /// Reads and decodes the frame's image.
 /// @throws BadInput if it cannot be read, or as decodeDepth()
