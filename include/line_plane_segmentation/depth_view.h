@@ -26,17 +26,20 @@ struct DepthView {
   int height = 0;        ///< [px]
   std::size_t step = 0;  ///< [bytes] from one row to the next
   DepthType type = DepthType::kUint16;
-  float metres_per_unit = 0.001F;  ///< [m] depth of one count of the stored number
-  bool swap_bytes = false;         ///< true if the byte order differs from the host's
+  union {
+    float depth_unit = 0.001F;  ///< [m] depth of one count of the stored number, positive
+    float metres_per_unit;      ///< older name of depth_unit
+  };
+  bool swap_bytes = false;  ///< true if the byte order differs from the host's
 
   bool empty() const { return data == nullptr || width <= 0 || height <= 0; }
 };
 
 /// Returns a view of a 16-bit image without row padding.
-DepthView viewOf(const std::uint16_t* pixels, int width, int height, float metres_per_unit = 0.001F);
+DepthView viewOf(const std::uint16_t* pixels, int width, int height, float depth_unit = 0.001F);
 
 /// Returns a view of a float image without row padding.
-DepthView viewOf(const float* pixels, int width, int height, float metres_per_unit = 1.0F);
+DepthView viewOf(const float* pixels, int width, int height, float depth_unit = 1.0F);
 
 /// Range of valid depths: greater than `min`, less than `max`, and at least 1 µm.
 struct DepthRange {

@@ -16,10 +16,10 @@ struct BenchmarkFrame {
   int width = 0;                     ///< [px]
   int height = 0;                    ///< [px]
   CameraIntrinsics camera;           ///< [px]
-  float metres_per_unit = 0.001F;    ///< [m] of one unit of `depth`
+  float depth_unit = 0.001F;         ///< [m] of one unit of `depth`
   std::vector<std::uint16_t> depth;  ///< width * height, row by row, 0 = no depth
 
-  DepthView view() const { return viewOf(depth.data(), width, height, metres_per_unit); }
+  DepthView view() const { return viewOf(depth.data(), width, height, depth_unit); }
 };
 
 }  // namespace line_plane_segmentation

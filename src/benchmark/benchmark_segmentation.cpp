@@ -24,10 +24,9 @@ constexpr int kMostRepetitions = 100000;
 
 po::options_description options() {
   po::options_description shown("Options");
-  shown.add_options()(
-      "frames", po::value<std::string>()->value_name("DIR"),
-      "folder with a table frames.csv (columns frame, width, height, units_per_metre, fx, fy, cx, "
-      "cy) and the images depth/FRAME.png; without it, simulated rooms")(
+  shown.add_options()("frames", po::value<std::string>()->value_name("DIR"),
+                      "folder with a table frames.csv (columns frame, width, height, depth_unit, fx, fy, cx, "
+                      "cy) and the images depth/FRAME.png; without it, simulated rooms")(
       "rooms", po::value<int>()->value_name("N")->default_value(4), "how many simulated rooms")(
       "out", po::value<std::string>()->value_name("DIR"),
       "folder for benchmark.md, times.csv, stages.csv, scaling.csv, times.png")(

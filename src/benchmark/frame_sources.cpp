@@ -76,8 +76,8 @@ std::vector<BenchmarkFrame> recordedFrames(const std::filesystem::path& folder) 
     const cv::Mat image = readDepth(from);
     if (image.depth() != CV_16U)
       throw BadInput(from.image.string() + ": is not an image of 16 bits, as the benchmark needs");
-    BenchmarkFrame frame{
-        from.name, image.cols, image.rows, from.camera, static_cast<float>(1.0 / from.units_per_metre), {}};
+    BenchmarkFrame frame{from.name, image.cols, image.rows, from.camera, static_cast<float>(from.depth_unit),
+                         {}};
     for (int v = 0; v < image.rows; ++v) {
       frame.depth.insert(frame.depth.end(), image.ptr<std::uint16_t>(v),
                          image.ptr<std::uint16_t>(v) + image.cols);
@@ -118,12 +118,9 @@ BenchmarkFrame simulatedTiles(int planes, int width, int height) {
 
 BenchmarkFrame halved(const BenchmarkFrame& frame) {
   const CameraIntrinsics& camera = frame.camera;
-  BenchmarkFrame half{frame.name,
-                      frame.width / 2,
-                      frame.height / 2,
-                      {camera.fx / 2, camera.fy / 2, camera.cx / 2, camera.cy / 2},
-                      frame.metres_per_unit,
-                      {}};
+  BenchmarkFrame half{frame.name,       frame.width / 2,
+                      frame.height / 2, {camera.fx / 2, camera.fy / 2, camera.cx / 2, camera.cy / 2},
+                      frame.depth_unit, {}};
   for (int v = 0; v < half.height; ++v) {
     for (int u = 0; u < half.width; ++u) {
       half.depth.push_back(

@@ -37,7 +37,7 @@ sensor_msgs::ImagePtr imageOf(const BenchmarkFrame& frame, const std_msgs::Heade
                                                 frame.height, sizeof(std::uint16_t));
   std::uint8_t* pixel = image->data.data();
   for (const std::uint16_t depth : frame.depth) {
-    const auto millimetres = static_cast<std::uint16_t>(std::lround(1000.0F * frame.metres_per_unit * depth));
+    const auto millimetres = static_cast<std::uint16_t>(std::lround(1000.0F * frame.depth_unit * depth));
     std::memcpy(pixel, &millimetres, sizeof millimetres);
     pixel += sizeof millimetres;
   }

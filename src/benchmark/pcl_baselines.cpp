@@ -46,7 +46,7 @@ pcl::PointCloud<pcl::PointXYZ>::Ptr organisedCloud(const BenchmarkFrame& frame) 
   for (std::size_t i = 0; i < frame.depth.size(); ++i) {
     const int u = static_cast<int>(i) % frame.width;
     const int v = static_cast<int>(i) / frame.width;
-    const float z = frame.depth[i] == 0 ? kNone : static_cast<float>(frame.depth[i]) * frame.metres_per_unit;
+    const float z = frame.depth[i] == 0 ? kNone : static_cast<float>(frame.depth[i]) * frame.depth_unit;
     cloud->points.emplace_back(static_cast<float>((u - frame.camera.cx) / frame.camera.fx) * z,
                                static_cast<float>((v - frame.camera.cy) / frame.camera.fy) * z, z);
   }

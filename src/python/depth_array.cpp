@@ -46,8 +46,8 @@ DepthView viewOf(const py::array& depth, const std::optional<double>& depth_unit
   if (width > 0 && height > kMost / width) throw py::value_error("depth has too many pixels");
 
   DepthView view;
-  view.metres_per_unit = static_cast<float>(depth_unit.value_or(type == DepthType::kUint16 ? 0.001 : 1.0));
-  if (!(view.metres_per_unit > 0.0F && std::isfinite(view.metres_per_unit))) {
+  view.depth_unit = static_cast<float>(depth_unit.value_or(type == DepthType::kUint16 ? 0.001 : 1.0));
+  if (!(view.depth_unit > 0.0F && std::isfinite(view.depth_unit))) {
     throw py::value_error("depth_unit must be positive");
   }
   view.type = type;

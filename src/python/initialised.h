@@ -3,36 +3,28 @@
 
 #include <pybind11/pybind11.h>
 
-#include <utility>
+#include <typeinfo>
 
 namespace line_plane_segmentation {
 
-/// Returns the C++ object of a Python object. An object created by __new__ alone has none: pybind11 would
-/// allocate it without constructing it.
-/// @throws pybind11::type_error if the object has none, or is of another class
+/// Converts Python objects to references to a bound class, if __init__() or __setstate__() was called on
+/// them. An object that was made with __new__ alone has no C++ object: pybind11's own conversion would
+/// allocate memory for one and not construct it. A specialisation of pybind11::detail::type_caster for the
+/// class derives from this class, before any use.
 template <typename Class>
-Class& initialised(const pybind11::object& self) {
-  const bool is_one = pybind11::isinstance<Class>(self);
-  auto* const instance = reinterpret_cast<pybind11::detail::instance*>(self.ptr());
-  if (!is_one || !instance->get_value_and_holder().holder_constructed()) {
-    throw pybind11::type_error("self is not an object on which __init__() was called");
+class InitialisedCaster : public pybind11::detail::type_caster_base<Class> {
+ public:
+  /// @throws pybind11::type_error if the object is of the class, but was not initialised
+  bool load(pybind11::handle source, bool convert) {
+    if (pybind11::isinstance<Class>(source)) {
+      auto* const instance = reinterpret_cast<pybind11::detail::instance*>(source.ptr());
+      const auto* const type = pybind11::detail::get_type_info(typeid(Class));
+      if (!instance->get_value_and_holder(type)) {
+        throw pybind11::type_error("this is not an object on which __init__() was called");
+      }
+    }
+    return pybind11::detail::type_caster_base<Class>::load(source, convert);
   }
-  return self.cast<Class&>();
-}
-
-/// Binds a method to objects on which __init__() was called.
-template <typename Class, typename Result, typename... Arguments>
-auto initialised(Result (Class::*method)(Arguments...)) {
-  return [method](const pybind11::object& self, Arguments... arguments) -> Result {
-    return (initialised<Class>(self).*method)(std::forward<Arguments>(arguments)...);
-  };
-}
-
-template <typename Class, typename Result, typename... Arguments>
-auto initialised(Result (Class::*method)(Arguments...) const) {
-  return [method](const pybind11::object& self, Arguments... arguments) -> Result {
-    return (initialised<Class>(self).*method)(std::forward<Arguments>(arguments)...);
-  };
-}
+};
 
 }  // namespace line_plane_segmentation

@@ -126,34 +126,43 @@ class PythonSegmenter {
 };
 
 }  // namespace
+}  // namespace line_plane_segmentation
+
+namespace pybind11::detail {
+
+template <>
+class type_caster<line_plane_segmentation::PythonSegmenter>
+    : public line_plane_segmentation::InitialisedCaster<line_plane_segmentation::PythonSegmenter> {};
+
+}  // namespace pybind11::detail
+
+namespace line_plane_segmentation {
 
 void defineSegmenter(py::module& module) {
   py::class_<PythonSegmenter>(module, "PlaneSegmenter", kSegmenterHelp)
       .def(py::init<const std::string&, const py::kwargs&>(), py::arg("preset") = "kinect",
            "__init__(preset='kinect', **parameters)")
-      .def("segment", initialised(&PythonSegmenter::segment), py::arg("depth"), py::arg("camera"),
+      .def("segment", &PythonSegmenter::segment, py::arg("depth"), py::arg("camera"),
            py::arg("depth_unit") = py::none(), py::arg("metres_per_unit") = py::none(), kSegmentHelp)
-      .def("set_parameters", initialised(&PythonSegmenter::setParameters),
+      .def("set_parameters", &PythonSegmenter::setParameters,
            "set_parameters(**parameters) -> None\n\n"
            "Changes parameters for the images to come: set_parameters(max_range=4.0). Raises ValueError, and "
            "changes none, if one is unknown or out of bounds.")
-      .def_property_readonly("parameters", initialised(&PythonSegmenter::parameters),
-                             "dict: all parameters as they are")
-      .def_property_readonly("milliseconds", initialised(&PythonSegmenter::milliseconds),
+      .def_property_readonly("parameters", &PythonSegmenter::parameters, "dict: all parameters as they are")
+      .def_property_readonly("milliseconds", &PythonSegmenter::milliseconds,
                              "dict [ms]: how long each stage of the last segment() took, and 'total'")
       .def_property_readonly(
-          "line_segments", initialised(&PythonSegmenter::lineSegments),
+          "line_segments", &PythonSegmenter::lineSegments,
           "structured array (n,): the line segments of the last image. Fields: direction (0: along a row, 1: "
           "along a column), scanline [px] (which row or column), first and last [px], points, alpha [rad] "
           "and r [m] (s cos(alpha) + t sin(alpha) = r in the plane of camera and scanline: t is a point's "
           "coordinate along the scanline, s its distance from the camera across it), covariance (2, 2) of "
           "(alpha, r)")
       .def_property_readonly(
-          "candidates", initialised(&PythonSegmenter::candidates),
+          "candidates", &PythonSegmenter::candidates,
           "structured array (n,): the plane candidates of the last image, before extraction. Fields: u and v "
           "[px] (column and row of the pixel), normal (3,) (unit, towards the camera) and d [m] (normal . p "
-          "+ "
-          "d = 0), curvature (smallest eigenvalue over the sum of all three, 0 to 1/3)");
+          "+ d = 0), curvature (smallest eigenvalue over the sum of all three, 0 to 1/3)");
 }
 
 }  // namespace line_plane_segmentation

@@ -65,8 +65,10 @@ std::string orientationName(const PythonPlane& p, const py::object& up, double t
 
 PythonSegmentation segmentationOf(const py::tuple& state) {
   if (state.size() != 4) throw py::value_error("not the state of a Segmentation");
-  return {state[0].cast<py::array_t<std::uint16_t>>(), state[1].cast<std::vector<PythonPlane>>(),
-          state[2].cast<std::uint32_t>(), state[3].cast<std::uint32_t>()};
+  const auto labels = state[0].cast<py::array_t<std::uint16_t, py::array::c_style | py::array::forcecast>>();
+  if (labels.ndim() != 2) throw py::value_error("not the state of a Segmentation");
+  return {labels, state[1].cast<std::vector<PythonPlane>>(), state[2].cast<std::uint32_t>(),
+          state[3].cast<std::uint32_t>()};
 }
 
 void defineProperties(py::class_<PythonPlane>& plane) {

@@ -76,6 +76,11 @@ Segmentation fromPython(const PythonSegmentation& segmentation) {
   result.width = static_cast<int>(segmentation.labels.shape(1));
   result.labels.assign(segmentation.labels.data(), segmentation.labels.data() + segmentation.labels.size());
   for (const PythonPlane& plane : segmentation.planes) result.planes.push_back(plane.plane);
+  // Python's array of labels can be written to.
+  const auto largest = std::max_element(result.labels.begin(), result.labels.end());
+  if (largest != result.labels.end() && *largest > result.planes.size()) {
+    throw py::value_error("a label has no plane");
+  }
   result.valid_pixels = segmentation.valid_pixels;
   result.assigned_pixels = segmentation.assigned_pixels;
   return result;

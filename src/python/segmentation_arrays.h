@@ -5,6 +5,7 @@
 
 #include <vector>
 
+#include "initialised.h"
 #include "line_plane_segmentation/line_segment.h"
 #include "line_plane_segmentation/plane_candidate.h"
 #include "line_plane_segmentation/segmentation.h"
@@ -26,6 +27,22 @@ struct PythonSegmentation {
   std::uint32_t assigned_pixels = 0;
 };
 
+}  // namespace line_plane_segmentation
+
+namespace pybind11::detail {
+
+template <>
+class type_caster<line_plane_segmentation::PythonPlane>
+    : public line_plane_segmentation::InitialisedCaster<line_plane_segmentation::PythonPlane> {};
+
+template <>
+class type_caster<line_plane_segmentation::PythonSegmentation>
+    : public line_plane_segmentation::InitialisedCaster<line_plane_segmentation::PythonSegmentation> {};
+
+}  // namespace pybind11::detail
+
+namespace line_plane_segmentation {
+
 /// Copies a segmentation.
 /// @param height, width  [px] size of the depth image, which the segmentation of an empty image does not
 /// store
@@ -33,6 +50,7 @@ PythonSegmentation toPython(const Segmentation& segmentation, pybind11::ssize_t 
                             pybind11::ssize_t width);
 
 /// Converts the parts of a segmentation that the tracker uses: labels and planes, without outlines.
+/// @throws pybind11::value_error if a label is greater than the number of planes
 Segmentation fromPython(const PythonSegmentation& segmentation);
 
 /// Transforms a plane with covariance, centroid and rings to another frame.

@@ -58,6 +58,17 @@ class PythonTracker {
 };
 
 }  // namespace
+}  // namespace line_plane_segmentation
+
+namespace pybind11::detail {
+
+template <>
+class type_caster<line_plane_segmentation::PythonTracker>
+    : public line_plane_segmentation::InitialisedCaster<line_plane_segmentation::PythonTracker> {};
+
+}  // namespace pybind11::detail
+
+namespace line_plane_segmentation {
 
 void defineTracker(py::module& module) {
   const TrackingParameters defaults;
@@ -73,8 +84,8 @@ void defineTracker(py::module& module) {
       .def(py::init<double, double, double>(), py::arg("track_memory") = defaults.track_memory,
            py::arg("track_angle") = defaults.track_angle, py::arg("track_distance") = defaults.track_distance,
            "__init__(track_memory=3.0, track_angle=45.0, track_distance=0.1)")
-      .def("track", initialised(&PythonTracker::track), py::arg("segmentation"), py::arg("camera"),
-           py::arg("seconds"), py::arg("motion") = py::none(),
+      .def("track", &PythonTracker::track, py::arg("segmentation"), py::arg("camera"), py::arg("seconds"),
+           py::arg("motion") = py::none(),
            "track(segmentation, camera, seconds, motion=None) -> list of int\n\n"
            "The id of each plane, in the order of segmentation.planes. Ids count from 1; none is used twice, "
            "unless seconds go back or reset() is called: then they count from 1 again.\n\n"
@@ -84,7 +95,7 @@ void defineTracker(py::module& module) {
            "motion: array (4, 4) that maps points of the last image's optical frame to this one's; None: "
            "unknown.\n\n"
            "Raises ValueError if motion is not a rotation and a translation, or seconds not finite.")
-      .def("reset", initialised(&PythonTracker::reset),
+      .def("reset", &PythonTracker::reset,
            "reset() -> None\n\nForgets all planes, and begins again with id 1.");
 }
 

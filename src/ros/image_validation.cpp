@@ -53,7 +53,7 @@ Refusal makeView(const sensor_msgs::Image& image, const InputLimits& limits, Dep
   view.height = static_cast<int>(height);
   view.step = static_cast<std::size_t>(step);
   view.type = type;
-  view.metres_per_unit = type == DepthType::kUint16 ? static_cast<float>(limits.depth_unit) : 1.0F;
+  view.depth_unit = type == DepthType::kUint16 ? static_cast<float>(limits.depth_unit) : 1.0F;
   view.swap_bytes = (image.is_bigendian != 0) != (boost::endian::order::native == boost::endian::order::big);
   return Refusal::kNone;
 }

@@ -108,7 +108,7 @@ void InputWarnings::warnAboutRange(const DepthView& depth, const DepthRange& ran
        << " % of the depths are below ~min_range (" << range.min << " m) or beyond ~max_range (" << range.max
        << " m): ";
   if (depth.type == DepthType::kUint16) {
-    text << "is ~depth_unit (" << depth.metres_per_unit << " m) right?";
+    text << "is ~depth_unit (" << depth.depth_unit << " m) right?";
   } else {
     text << (fractions.beyond > fractions.near ? "are they in millimetres?" : "are they in metres?");
   }

@@ -7,9 +7,9 @@
 #include <utility>
 #include <vector>
 
+#include "label_anchor.h"
 #include "line_plane_segmentation/ros/conversions.h"
 #include "marker_tools.h"
-#include "text_anchor.h"
 #include "text_overlap.h"
 
 namespace line_plane_segmentation {
@@ -40,7 +40,7 @@ Marker outlineMarker(const SegmentedFrame& frame, const PublishedPlane& publishe
 // Start of the normal's arrow, in the frame of the messages: the intersection of the anchor's ray with the
 // plane, or the centroid if there is no anchor.
 Eigen::Vector3d arrowStart(const SegmentedFrame& frame, const PublishedPlane& published,
-                           const TextAnchor& anchor) {
+                           const LabelAnchor& anchor) {
   const SegmentedPlane& seen = frame.segmentation.planes[published.plane.label - std::size_t{1}];
   const CameraIntrinsics& camera = frame.camera;
   const Eigen::Vector3d ray((anchor.u - camera.cx) / camera.fx, (anchor.v - camera.cy) / camera.fy, 1.0);
@@ -114,7 +114,7 @@ Marker textMarker(const SegmentedFrame& frame, const PublishedPlane& published, 
 visualization_msgs::MarkerArray::Ptr planeMarkers(const SegmentedFrame& frame) {
   const std_msgs::Header& header = frame.published.header;
   visualization_msgs::MarkerArray::Ptr message = makeMarkerArray(header);
-  const std::vector<TextAnchor> anchors = textAnchors(frame.segmentation);
+  const std::vector<LabelAnchor> anchors = labelAnchors(frame.segmentation);
   TextOverlapFilter overlap_filter(frame.camera);
   for (const PublishedPlane& published : frame.published.planes) {
     const Eigen::Vector3d start =

@@ -15,7 +15,7 @@ namespace fs = std::filesystem;
 
 struct Dataset {
   const char* name;
-  double units_per_metre;
+  double depth_unit;   // [m]
   const char* prefix;  // of the depth images, where there are other images beside them
   const char* suffix;
   bool largest_is_none;
@@ -24,14 +24,14 @@ struct Dataset {
 };
 
 constexpr Dataset kDatasets[] = {
-    {"tum", 5000, "", ".png", false, false,
+    {"tum", 0.0002, "", ".png", false, false,
      "TUM RGB-D: FOLDER/depth/*.png; intrinsics by freiburg1, 2 or 3 in FOLDER's name"},
-    {"icl_nuim", 5000, "", ".png", false, false, "ICL-NUIM in TUM's format: FOLDER/depth/*.png"},
-    {"nyu", 1000, "sync_depth_", ".png", false, false,
+    {"icl_nuim", 0.0002, "", ".png", false, false, "ICL-NUIM in TUM's format: FOLDER/depth/*.png"},
+    {"nyu", 0.001, "sync_depth_", ".png", false, false,
      "NYU Depth v2 as PNGs in the colour camera's view: FOLDER/sync_depth_*.png, FOLDER/*.png or "
      "FOLDER/depth/*.png"},
-    {"7scenes", 1000, "", ".depth.png", true, false, "7-Scenes: FOLDER/*.depth.png of one seq-NN"},
-    {"scannet", 1000, "", ".png", false, true,
+    {"7scenes", 0.001, "", ".depth.png", true, false, "7-Scenes: FOLDER/*.depth.png of one seq-NN"},
+    {"scannet", 0.001, "", ".png", false, true,
      "ScanNet as its SensReader exports it: FOLDER/depth/*.png, FOLDER/intrinsic/intrinsic_depth.txt"},
 };
 
@@ -170,12 +170,12 @@ std::vector<std::string> imagesIn(const fs::path& folder) {
 
 std::vector<DepthFrame> framesOfDataset(const std::string& name, const fs::path& folder,
                                         const std::optional<CameraIntrinsics>& camera,
-                                        const std::optional<double>& units_per_metre) {
+                                        const std::optional<double>& depth_unit) {
   const Dataset& dataset = datasetOf(name);
   const std::vector<std::string> images =
       imagesIn(dataset.in_depth_folder ? folder / "depth" : folder, dataset.prefix, dataset.suffix);
   std::vector<DepthFrame> frames = framesOfImages(images, camera ? *camera : cameraOf(dataset, folder),
-                                                  units_per_metre.value_or(dataset.units_per_metre));
+                                                  depth_unit.value_or(dataset.depth_unit));
   const std::size_t beyond_stem = std::string(dataset.suffix).size() - std::string(".png").size();
   for (DepthFrame& frame : frames) {
     frame.name.resize(frame.name.size() - beyond_stem);

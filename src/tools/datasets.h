@@ -20,11 +20,11 @@ std::string datasetHelp();
 /// @param dataset  "tum", whose intrinsics depend on the sequence's name, "icl_nuim", "nyu", "7scenes" or
 /// "scannet"
 /// @param folder   folder of one unpacked sequence
-/// @param camera, units_per_metre  replace the values of the data set
+/// @param camera, depth_unit  replace the values of the data set
 /// @throws BadInput if there is no such data set or folder, or no image in it
 std::vector<DepthFrame> framesOfDataset(const std::string& dataset, const std::filesystem::path& folder,
                                         const std::optional<CameraIntrinsics>& camera,
-                                        const std::optional<double>& units_per_metre);
+                                        const std::optional<double>& depth_unit);
 
 /// Returns the PNGs of a folder in natural order. If there are none, the images of the next format of
 /// depthFormats(); if there are no images, those of the subfolder depth/. Results of segment_depth are

@@ -24,9 +24,9 @@ double parseNumber(const std::string& text) {
   return number;
 }
 
-void checkScale(double units_per_metre) {
-  const auto metres_per_unit = static_cast<float>(1.0 / units_per_metre);
-  if (!(metres_per_unit > 0.0F && std::isfinite(metres_per_unit))) {
+void checkDepthUnit(double depth_unit) {
+  const auto used = static_cast<float>(depth_unit);
+  if (!(used > 0.0F && std::isfinite(used))) {
     throw BadInput("the depth unit must be a positive number, such as --depth-unit 0.001");
   }
 }
@@ -98,9 +98,8 @@ DepthFrame frameOfRow(const NamedRow& row, const std::filesystem::path& folder) 
   frame.image = imageOf(frame.name, folder / "depth");
   frame.camera = {row.number("fx"), row.number("fy"), row.number("cx"), row.number("cy")};
   if (!frame.camera.isValid()) throw BadInput("the focal lengths must be positive");
-  frame.units_per_metre =
-      row.has("depth_unit") ? 1.0 / row.number("depth_unit") : row.number("units_per_metre");
-  checkScale(frame.units_per_metre);
+  frame.depth_unit = row.has("depth_unit") ? row.number("depth_unit") : 1.0 / row.number("units_per_metre");
+  checkDepthUnit(frame.depth_unit);
   frame.width = row.pixels("width");
   frame.height = row.pixels("height");
   return frame;
@@ -132,11 +131,11 @@ CameraIntrinsics parseCamera(const std::string& text) {
 }
 
 std::vector<DepthFrame> framesOfImages(const std::vector<std::string>& images, const CameraIntrinsics& camera,
-                                       double units_per_metre) {
-  checkScale(units_per_metre);
+                                       double depth_unit) {
+  checkDepthUnit(depth_unit);
   std::vector<DepthFrame> frames;
   for (const std::filesystem::path image : images) {
-    frames.push_back({image.stem().string(), image, camera, units_per_metre, 0, 0, false, kDefaultMaxPixels});
+    frames.push_back({image.stem().string(), image, camera, depth_unit, 0, 0, false, kDefaultMaxPixels});
   }
   return frames;
 }
@@ -185,14 +184,14 @@ cv::Mat decodeDepth(const std::vector<unsigned char>& bytes, const DepthFrame& f
   return image;
 }
 
-DepthView depthViewOf(const cv::Mat& depth, double units_per_metre) {
+DepthView depthViewOf(const cv::Mat& depth, double depth_unit) {
   DepthView view;
   view.data = depth.data;
   view.width = depth.cols;
   view.height = depth.rows;
   view.step = depth.step;
   view.type = depth.depth() == CV_16U ? DepthType::kUint16 : DepthType::kFloat32;
-  view.metres_per_unit = static_cast<float>(1.0 / units_per_metre);
+  view.depth_unit = static_cast<float>(depth_unit);
   return view;
 }
 

@@ -17,7 +17,7 @@ struct DepthFrame {
   std::string name;  ///< prefix of the names of its results
   std::filesystem::path image;
   CameraIntrinsics camera;
-  double units_per_metre = 1000.0;
+  double depth_unit = 0.001;                    ///< [m] depth of one count
   int width = 0;                                ///< [px] expected size of the image; 0: any
   int height = 0;                               ///< [px]
   bool largest_is_none = false;                 ///< true if 65535 is an invalid depth, as 0 is
@@ -34,7 +34,7 @@ CameraIntrinsics parseCamera(const std::string& text);
 /// Returns frames of images with a common camera. The name of a frame is its file name without the extension.
 /// @throws BadInput if the depth unit is not a positive number
 std::vector<DepthFrame> framesOfImages(const std::vector<std::string>& images, const CameraIntrinsics& camera,
-                                       double units_per_metre);
+                                       double depth_unit);
 
 /// Reads the frames of a table: CSV as in RFC 4180, with the columns frame, width, height, depth_unit or
 /// units_per_metre, fx, fy, cx, cy. Other columns and a byte order mark are ignored. The images are
@@ -53,7 +53,7 @@ void checkNames(const std::vector<DepthFrame>& frames);
 cv::Mat decodeDepth(const std::vector<unsigned char>& bytes, const DepthFrame& frame);
 
 /// Returns a view of a result of decodeDepth(), which must outlive the view.
-DepthView depthViewOf(const cv::Mat& depth, double units_per_metre);
+DepthView depthViewOf(const cv::Mat& depth, double depth_unit);
 
 /// Reads and decodes the frame's image.
 /// @throws BadInput if it cannot be read, or as decodeDepth()

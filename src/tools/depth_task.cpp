@@ -60,7 +60,7 @@ std::string summaryOf(const DepthFrame& frame, const Segmentation& segmentation,
 void work(Slot& slot) {
   const DepthFrame& frame = *slot.frame;
   StageClock clock;
-  const DepthView view = depthViewOf(slot.depth, frame.units_per_metre);
+  const DepthView view = depthViewOf(slot.depth, frame.depth_unit);
   Segmentation result = slot.segmenter.segment(view, frame.camera, &clock);
   slot.labels = encodePng(cv::Mat(result.height, result.width, CV_16UC1, result.labels.data()));
   slot.overlay = encodePng(drawOverlay(view, result, frame.camera));
@@ -163,7 +163,7 @@ void segmentAll(const DepthTask& task, const std::vector<const DepthFrame*>& fra
     std::fprintf(
         stderr,
         "segment_depth: in %zu of %zu images most depths lie outside of min_range to max_range: is the depth "
-        "scale right?\n",
+        "unit right?\n",
         out_of_range, done);
   }
 }

@@ -57,7 +57,8 @@ json settingsOf(const DepthFrame& frame, const Parameters& parameters) {
   });
   const CameraIntrinsics& camera = frame.camera;
   return {{"camera", {camera.fx, camera.fy, camera.cx, camera.cy}},
-          {"units_per_metre", frame.units_per_metre},
+          {"depth_unit", frame.depth_unit},
+          {"units_per_metre", 1.0 / frame.depth_unit},  // older name of the same
           {"parameters", values},
           {"version", LPS_VERSION}};
 }
@@ -84,8 +85,10 @@ ResultState stateOf(const FrameResults& results, const DepthFrame& frame, const 
     return same_path ? ResultState::kUnfinished : ResultState::kForeign;
   }
   const json outputs = document.value("outputs", json::object());
-  const bool finished = document.value("settings", json()) == settings &&
-                        isRecorded(results.labels, outputs.value("labels", json())) &&
+  json recorded = document.value("settings", json::object());
+  // Results of earlier versions have units_per_metre only.
+  recorded.emplace("depth_unit", settings.at("depth_unit"));
+  const bool finished = recorded == settings && isRecorded(results.labels, outputs.value("labels", json())) &&
                         isRecorded(results.overlay, outputs.value("overlay", json())) &&
                         !isOlder(results.planes, frame.image);
   return finished ? ResultState::kFinished : ResultState::kUnfinished;

@@ -21,8 +21,7 @@ std::vector<LabelledFrame> readLabelledSet(const std::filesystem::path& folder, 
     if (!isSelected(i, half)) continue;
     const DepthFrame& frame = table[i];
     const std::filesystem::path truth_file = folder / "truth" / (frame.name + ".png");
-    frames.push_back(
-        {frame.name, readDepth(frame), readImage16(truth_file), frame.camera, frame.units_per_metre});
+    frames.push_back({frame.name, readDepth(frame), readImage16(truth_file), frame.camera, frame.depth_unit});
     if (frames.back().depth.size() != frames.back().truth.size()) {
       throw BadInput(truth_file.string() + ": differs in size from " + frame.image.string());
     }

@@ -17,7 +17,7 @@ struct LabelledFrame {
   cv::Mat depth;  ///< CV_16UC1, 0 = invalid depth
   cv::Mat truth;  ///< CV_16UC1 of the same size: 0 = no plane, k = plane k, 65535 = excluded
   CameraIntrinsics camera;
-  double units_per_metre = 1000.0;  ///< depth units in a metre
+  double depth_unit = 0.001;  ///< [m] depth of one count
 
   const std::uint16_t* depthPixels() const { return depth.ptr<std::uint16_t>(); }
   const std::uint16_t* truthPixels() const { return truth.ptr<std::uint16_t>(); }

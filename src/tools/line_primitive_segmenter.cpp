@@ -76,8 +76,8 @@ const Segmentation& LinePrimitiveSegmenter::segmentPlanes(const LabelledFrame& f
   parameters.scanlines.scanline_spacing = gridSpacing(frame, variant);
   parameters.outlines.trace_outlines = false;
   segmenter_.setParameters(parameters);
-  const auto metres_per_unit = static_cast<float>(1.0 / frame.units_per_metre);
-  return segmenter_.segment(viewOf(frame.depthPixels(), frame.depth.cols, frame.depth.rows, metres_per_unit),
+  const auto depth_unit = static_cast<float>(frame.depth_unit);
+  return segmenter_.segment(viewOf(frame.depthPixels(), frame.depth.cols, frame.depth.rows, depth_unit),
                             frame.camera);
 }
 

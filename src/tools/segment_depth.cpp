@@ -90,13 +90,13 @@ std::vector<std::string> unitOptions(const po::variables_map& given) {
 
 bool hasUnits(const po::variables_map& given) { return !unitOptions(given).empty(); }
 
-double unitsPerMetre(const po::variables_map& given) {
+double depthUnit(const po::variables_map& given) {
   const std::vector<std::string> names = unitOptions(given);
   if (names.size() > 1) {
     throw BadInput("--" + names[0] + " and --" + names[1] + " are the same; give one of them");
   }
   const double value = required(given, names.empty() ? "depth-unit" : names[0]).as<double>();
-  return names[0] == "depth-unit" ? 1.0 / value : value;
+  return names[0] == "depth-unit" ? value : 1.0 / value;
 }
 
 po::variables_map parse(int argc, char** argv) {
@@ -113,9 +113,9 @@ std::vector<DepthFrame> framesOfTheDataset(const po::variables_map& given) {
   if (folders.size() != 1) throw BadInput("--dataset takes one FOLDER, that of a sequence; see --help");
   std::optional<CameraIntrinsics> camera;
   if (given.count("camera") != 0) camera = parseCamera(given["camera"].as<std::string>());
-  std::optional<double> units_per_metre;
-  if (hasUnits(given)) units_per_metre = unitsPerMetre(given);
-  return framesOfDataset(given["dataset"].as<std::string>(), folders.front(), camera, units_per_metre);
+  std::optional<double> depth_unit;
+  if (hasUnits(given)) depth_unit = depthUnit(given);
+  return framesOfDataset(given["dataset"].as<std::string>(), folders.front(), camera, depth_unit);
 }
 
 std::vector<DepthFrame> framesOf(const po::variables_map& given) {
@@ -130,9 +130,9 @@ std::vector<DepthFrame> framesOf(const po::variables_map& given) {
   }
   if (given.count("dataset") != 0) return framesOfTheDataset(given);
   const CameraIntrinsics camera = parseCamera(required(given, "camera").as<std::string>());
-  const double units_per_metre = unitsPerMetre(given);
+  const double depth_unit = depthUnit(given);
   const bool folder = images.size() == 1 && fs::is_directory(images.front());
-  return framesOfImages(folder ? imagesIn(images.front()) : images, camera, units_per_metre);
+  return framesOfImages(folder ? imagesIn(images.front()) : images, camera, depth_unit);
 }
 
 // Every N-th frame, beginning with the I-th.

@@ -59,7 +59,7 @@ TEST(RecordedFrames, ReadsWhatTheTableLists) {
   ASSERT_EQ(frames.size(), 1U);
   EXPECT_EQ(frames[0].name, "wall");
   EXPECT_EQ(frames[0].depth, (std::vector<std::uint16_t>{5000, 5000, 5000, 5000, 5000, 10000}));
-  EXPECT_FLOAT_EQ(frames[0].metres_per_unit, 0.0002F);
+  EXPECT_FLOAT_EQ(frames[0].depth_unit, 0.0002F);
   EXPECT_DOUBLE_EQ(frames[0].camera.fy, 526.0);
 }
 

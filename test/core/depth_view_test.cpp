@@ -42,7 +42,7 @@ class StoredImage {
     view.width = width;
     view.height = height;
     view.type = typeOf<Pixel>();
-    view.metres_per_unit = sizeof(Pixel) == 2 ? 0.001F : 1.0F;
+    view.depth_unit = sizeof(Pixel) == 2 ? 0.001F : 1.0F;
     view.swap_bytes = swap_bytes;
   }
 
@@ -173,12 +173,23 @@ TEST(DepthView, PackedViewsDescribeTheirPixels) {
   EXPECT_EQ(of_shorts.height, 3);
   EXPECT_EQ(of_shorts.step, 8U);
   EXPECT_EQ(of_shorts.type, DepthType::kUint16);
-  EXPECT_EQ(of_shorts.metres_per_unit, 0.001F);
+  EXPECT_EQ(of_shorts.depth_unit, 0.001F);
   const std::vector<float> floats(12, 1.0F);
   const DepthView of_floats = viewOf(floats.data(), 4, 3);
   EXPECT_EQ(of_floats.step, 16U);
   EXPECT_EQ(of_floats.type, DepthType::kFloat32);
-  EXPECT_EQ(of_floats.metres_per_unit, 1.0F);
+  EXPECT_EQ(of_floats.depth_unit, 1.0F);
+}
+
+TEST(DepthView, HasAnOlderNameForItsUnit) {
+  const std::uint16_t pixel = 3;
+  DepthView view = viewOf(&pixel, 1, 1);
+  EXPECT_EQ(view.metres_per_unit, 0.001F);
+  view.metres_per_unit = 0.5F;
+  EXPECT_EQ(view.depth_unit, 0.5F);
+  float depth = 0.0F;
+  EXPECT_EQ(loadRow(view, 0, DepthRange{}, &depth), 1);
+  EXPECT_EQ(depth, 1.5F);
 }
 
 TEST(DepthView, EmptyViews) {

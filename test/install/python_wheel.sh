@@ -18,7 +18,7 @@ for variable in CC CXX CMAKE_CXX_COMPILER_LAUNCHER "${!CCACHE_@}"; do
   [ -z "${!variable:-}" ] || clean+=("$variable=${!variable}")
 done
 # Not optimised: results do not depend on it, and this is built for a test alone.
-"${clean[@]}" SKBUILD_CONFIGURE_OPTIONS="-DCMAKE_CXX_FLAGS_RELEASE=-O0" CMAKE_BUILD_PARALLEL_LEVEL=2 \
+"${clean[@]}" SKBUILD_CONFIGURE_OPTIONS="-DCMAKE_CXX_FLAGS_RELEASE=-O0 -DLPS_FAST_BUILD=ON" CMAKE_BUILD_PARALLEL_LEVEL=2 \
   python3 -m pip install --no-build-isolation --no-deps --no-index --target "$scratch/site" "$scratch/source"
 
 "${clean[@]}" PYTHONPATH="$scratch/site" python3 "$source_folder/test/install/python_wheel_test.py" \

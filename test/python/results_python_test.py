@@ -62,22 +62,45 @@ class ResultsTest(unittest.TestCase):
     def test_objects_made_without_init_are_refused(self):
         # In another process, which may crash or wait for a lock that was never made.
         program = """
+import copy, inspect, pickle
 import numpy
-import line_plane_segmentation as lps
+from line_plane_segmentation import _plane_segmenter as lps
+
 result = lps.PlaneSegmenter().segment(numpy.zeros((4, 4), numpy.uint16), (1, 1, 1, 1))
-for kind in (lps.PlaneSegmenter, lps.PlaneTracker):
-    made = kind.__new__(kind)
-    for name in [name for name in dir(kind) if name[0] != "_"]:
-        arguments = {"segment": (None, None), "track": (result, (1, 1, 1, 1), 0.0)}.get(name, ())
-        try:
-            value = getattr(made, name)
-            if callable(value):
-                value(*arguments)
-        except TypeError as error:
-            if "__init__() was called" not in str(error):
-                raise
-        else:
-            raise SystemExit("%s.%s works" % (kind.__name__, name))
+classes = [kind for kind in vars(lps).values() if inspect.isclass(kind)]
+assert {kind.__name__ for kind in classes} == {"Plane", "PlaneSegmenter", "PlaneTracker", "Segmentation"}, classes
+
+
+def refused(what, use):
+    try:
+        use()
+    except TypeError as error:
+        if "__init__() was called" in str(error):
+            return
+        raise
+    raise SystemExit("%s works" % what)
+
+
+def use_of(made, name):
+    arguments = {"segment": (None, None), "track": (result, (1, 1, 1, 1), 0.0), "transformed": (numpy.eye(4),),
+                 "orientation": ((0, 0, 1),)}.get(name, ())
+    value = getattr(made, name)
+    if callable(value):
+        value(*arguments)
+
+
+for kind in classes:
+    for made in (kind.__new__(kind), type("Derived", (kind,), {}).__new__(type("Derived", (kind,), {}))):
+        for name in [name for name in dir(kind) if name[0] != "_"]:
+            refused("%s.%s" % (kind.__name__, name), lambda: use_of(made, name))
+for kind in (lps.Plane, lps.Segmentation):
+    refused("repr", lambda: repr(kind.__new__(kind)))
+    refused("pickle", lambda: pickle.dumps(kind.__new__(kind)))
+    refused("copy", lambda: copy.copy(kind.__new__(kind)))
+unmade = lps.Segmentation.__new__(lps.Segmentation)
+refused("track", lambda: lps.PlaneTracker().track(unmade, (1, 1, 1, 1), 0.0))
+state = (result.labels, [lps.Plane.__new__(lps.Plane)], 0, 0)
+refused("a list of planes", lambda: unmade.__setstate__(state))
 try:
     lps.PlaneTracker.reset(5)
 except TypeError:
@@ -86,6 +109,18 @@ except TypeError:
         result = subprocess.run([sys.executable, "-c", program], timeout=60, stdout=subprocess.PIPE,
                                 stderr=subprocess.STDOUT, universal_newlines=True)
         self.assertEqual((0, ""), (result.returncode, result.stdout))
+
+    def test_labels_without_planes_are_refused(self):
+        self.result.labels[3, 5] = 3
+        with self.assertRaisesRegex(ValueError, "a label has no plane"):
+            PlaneTracker().track(self.result, CAMERA, 0.0)
+        for wrong in (np.zeros(4, np.uint16), np.zeros((2, 2, 2), np.uint16)):
+            with self.assertRaisesRegex(ValueError, "not the state"):
+                Segmentation.__new__(Segmentation).__setstate__((wrong, [], 0, 0))
+        restored = Segmentation.__new__(Segmentation)
+        restored.__setstate__((np.zeros((8, 8), np.uint16)[::2, ::4], [], 0, 0))
+        self.assertEqual((4, 2), restored.labels.shape)
+        self.assertEqual([], PlaneTracker().track(restored, CAMERA, 0.0))
 
     def test_other_processes(self):
         for method in ("fork", "spawn", "forkserver"):

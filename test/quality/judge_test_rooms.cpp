@@ -103,7 +103,7 @@ void addPng(const fs::path& file, const cv::Mat& image, OutputFiles& files) {
 
 std::string tableRow(const SimulatedFrame& frame) {
   std::ostringstream row;
-  row << frame.name << "," << frame.width() << "," << frame.height() << ",1000," << frame.camera.fx << ","
+  row << frame.name << "," << frame.width() << "," << frame.height() << ",0.001," << frame.camera.fx << ","
       << frame.camera.fy << "," << frame.camera.cx << "," << frame.camera.cy << "\n";
   return row.str();
 }
@@ -111,7 +111,7 @@ std::string tableRow(const SimulatedFrame& frame) {
 // Writes the rooms as a labelled set for evaluate_segmentation --robust.
 void writeSet(const fs::path& folder, const RoomRange& rooms) {
   for (const char* images : {"truth", "depth"}) makeOutputFolder(folder / images);
-  std::string table = "frame,width,height,units_per_metre,fx,fy,cx,cy\n";
+  std::string table = "frame,width,height,depth_unit,fx,fy,cx,cy\n";
   OutputFiles files;
   forEachSimulatedFrame(rooms, [&](const SimulatedFrame& frame) {
     addPng(folder / "truth" / (frame.name + ".png"), imageOf(frame, frame.truth), files);

@@ -57,7 +57,7 @@ Eigen::Hyperplane<double, 3> tableOf(const LabelledFrame& frame) {
     for (int u = 0; u < frame.truth.cols; ++u) {
       const std::uint16_t units = frame.depth.at<std::uint16_t>(v, u);
       if (frame.truth.at<std::uint16_t>(v, u) != kTable || units == 0) continue;
-      const double z = units / frame.units_per_metre;
+      const double z = units * frame.depth_unit;
       const Eigen::Vector3d point(z * (u - camera.cx) / camera.fx, z * (v - camera.cy) / camera.fy, z);
       sum += point;
       squares += point * point.transpose();

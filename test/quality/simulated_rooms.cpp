@@ -36,7 +36,7 @@ LabelledFrame SimulatedFrame::labelled() const {
   const auto imageOf = [this](const std::vector<std::uint16_t>& pixels) {
     return cv::Mat(height(), width(), CV_16UC1, const_cast<std::uint16_t*>(pixels.data())).clone();
   };
-  return {name, imageOf(depth), imageOf(truth), camera, 1000.0};
+  return {name, imageOf(depth), imageOf(truth), camera, 0.001};
 }
 
 void forEachSimulatedFrame(const RoomRange& rooms, const std::function<void(const SimulatedFrame&)>& visit) {

@@ -53,10 +53,10 @@ TEST(Validation, tellsHowPixelsAreStored) {
   const CameraInfo info = testInfo(32, 24);
   const DepthView millimetres = validate(testImage(32, 24, "mono16"), info).view;
   EXPECT_EQ(DepthType::kUint16, millimetres.type);
-  EXPECT_FLOAT_EQ(0.001F, millimetres.metres_per_unit);
+  EXPECT_FLOAT_EQ(0.001F, millimetres.depth_unit);
   const DepthView metres = validate(testImage(32, 24, "32FC1"), info).view;
   EXPECT_EQ(DepthType::kFloat32, metres.type);
-  EXPECT_FLOAT_EQ(1.0F, metres.metres_per_unit);
+  EXPECT_FLOAT_EQ(1.0F, metres.depth_unit);
 }
 
 // Row 8: the same depths for both byte orders.

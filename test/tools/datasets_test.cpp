@@ -56,7 +56,7 @@ TEST_F(Datasets, ScanNetHasItsIntrinsicsBesideTheImages) {
   EXPECT_EQ(all[0].camera.fy, 577.5);
   EXPECT_EQ(all[0].camera.cx, 319.5);
   EXPECT_EQ(all[0].camera.cy, 239.5);
-  EXPECT_EQ(all[0].units_per_metre, 1000);
+  EXPECT_EQ(all[0].depth_unit, 0.001);
   folder_.write(file, "577.870605 0.000000");
   expectRefused("scannet", "scene0000_00", "is not a matrix");
 }
@@ -82,7 +82,7 @@ TEST_F(Datasets, TumHasACameraForEachFreiburg) {
       const auto all = frames("tum", spelling);
       EXPECT_EQ(namesOf(all), (Names{"1305031452.404816", "1305031453.374112"}));
       EXPECT_EQ(all[0].camera.fx, fx[i - 1]);
-      EXPECT_EQ(all[0].units_per_metre, 5000);
+      EXPECT_EQ(all[0].depth_unit, 0.0002);
       EXPECT_EQ(all[1].image.parent_path().filename(), "depth");
     }
   }
@@ -98,7 +98,7 @@ TEST_F(Datasets, IclNuimCountsWithoutLeadingZeros) {
   EXPECT_EQ(namesOf(all), (Names{"1", "2", "10", "100"}));
   EXPECT_EQ(all[0].camera.fx, 481.2);
   EXPECT_EQ(all[0].camera.fy, 480.0);
-  EXPECT_EQ(all[0].units_per_metre, 5000);
+  EXPECT_EQ(all[0].depth_unit, 0.0002);
 }
 
 TEST_F(Datasets, NyuTakesTheDepthFromAmongTheColourImages) {
@@ -108,7 +108,7 @@ TEST_F(Datasets, NyuTakesTheDepthFromAmongTheColourImages) {
   const auto all = frames("nyu", "kitchen");
   EXPECT_EQ(namesOf(all), (Names{"sync_depth_00000", "sync_depth_00001"}));
   EXPECT_NEAR(all[0].camera.fx, 518.858, 0.001);
-  EXPECT_EQ(all[0].units_per_metre, 1000);
+  EXPECT_EQ(all[0].depth_unit, 0.001);
   touch("test/depth/0007.png");
   EXPECT_EQ(namesOf(frames("nyu", "test")), Names{"0007"});
 }
@@ -130,10 +130,9 @@ TEST_F(Datasets, SevenScenesHave65535WhereThereIsNoDepth) {
 
 TEST_F(Datasets, YieldToWhatTheUserKnowsBetter) {
   touch("somewhere/depth/1.png");
-  const auto all =
-      framesOfDataset("tum", folder_ / "somewhere", CameraIntrinsics{500, 501, 320, 240}, 1234.0);
+  const auto all = framesOfDataset("tum", folder_ / "somewhere", CameraIntrinsics{500, 501, 320, 240}, 0.005);
   EXPECT_EQ(all.at(0).camera.fy, 501);
-  EXPECT_EQ(all.at(0).units_per_metre, 1234.0);
+  EXPECT_EQ(all.at(0).depth_unit, 0.005);
 }
 
 TEST_F(Datasets, RefuseWhatIsNotThere) {

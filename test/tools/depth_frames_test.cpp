@@ -30,25 +30,25 @@ INSTANTIATE_TEST_SUITE_P(Texts, WrongCamera,
                                          "525,,320,240"));
 
 TEST(FramesOfImages, AreNamedAfterTheirFiles) {
-  const auto frames = framesOfImages({"some/where/b.1.png", "a.png"}, {500, 501, 320, 240}, 5000);
+  const auto frames = framesOfImages({"some/where/b.1.png", "a.png"}, {500, 501, 320, 240}, 0.0002);
   ASSERT_EQ(frames.size(), 2U);
   EXPECT_EQ(frames[0].name, "b.1");
   EXPECT_EQ(frames[0].image, "some/where/b.1.png");
   EXPECT_EQ(frames[0].camera.fy, 501);
-  EXPECT_EQ(frames[0].units_per_metre, 5000);
+  EXPECT_EQ(frames[0].depth_unit, 0.0002);
   EXPECT_EQ(frames[1].name, "a");
 }
 
-TEST(FramesOfImages, NeedADepthScale) {
-  for (const double scale : {0.0, -1.0, std::nan(""), HUGE_VAL}) {
-    EXPECT_THROW(framesOfImages({"a.png"}, {500, 500, 320, 240}, scale), BadInput) << scale;
+TEST(FramesOfImages, NeedADepthUnit) {
+  for (const double unit : {0.0, -1.0, std::nan(""), HUGE_VAL}) {
+    EXPECT_THROW(framesOfImages({"a.png"}, {500, 500, 320, 240}, unit), BadInput) << unit;
   }
 }
 
 TEST(CheckNames, RefusesNoneAndTwoOfOneName) {
   EXPECT_THROW(checkNames({}), BadInput);
-  EXPECT_THROW(checkNames(framesOfImages({"x/a.png", "y/a.png"}, {500, 500, 320, 240}, 1000)), BadInput);
-  EXPECT_NO_THROW(checkNames(framesOfImages({"x/a.png", "y/b.png"}, {500, 500, 320, 240}, 1000)));
+  EXPECT_THROW(checkNames(framesOfImages({"x/a.png", "y/a.png"}, {500, 500, 320, 240}, 0.001)), BadInput);
+  EXPECT_NO_THROW(checkNames(framesOfImages({"x/a.png", "y/b.png"}, {500, 500, 320, 240}, 0.001)));
 }
 
 class FramesTable : public testing::Test {
@@ -79,7 +79,7 @@ TEST_F(FramesTable, GivesAFrameForEachRow) {
   EXPECT_EQ(frames[0].image, folder_ / "depth/a.png");
   EXPECT_EQ(frames[0].width, 640);
   EXPECT_EQ(frames[0].height, 480);
-  EXPECT_EQ(frames[0].units_per_metre, 5000);
+  EXPECT_EQ(frames[0].depth_unit, 0.0002);
   EXPECT_EQ(frames[0].camera.fx, 518.8);
   EXPECT_EQ(frames[1].camera.fy, 526);
   EXPECT_EQ(frames[1].camera.cx, 1);
@@ -110,7 +110,7 @@ TEST_F(FramesTable, TakesAnotherFormatWhereThereIsNoPng) {
 TEST_F(FramesTable, ColumnsGoByName) {
   const auto frames = read("cy,cx,fy,fx,units_per_metre,height,width,frame\n2,1,526,525,1000,3,4,b\n");
   const auto in_metres = read("cy,cx,fy,fx,depth_unit,height,width,frame\n2,1,526,525,0.0002,3,4,b\n");
-  EXPECT_EQ(in_metres[0].units_per_metre, 5000);
+  EXPECT_EQ(in_metres[0].depth_unit, 0.0002);
   ASSERT_EQ(frames.size(), 1U);
   EXPECT_EQ(frames[0].name, "b");
   EXPECT_EQ(frames[0].camera.cx, 1);

@@ -25,7 +25,7 @@ TEST(Overlay, IsGreyWithoutPlanesLightWhereNearAndDarkestWithoutDepth) {
   cv::Mat depth(kHeight, kWidth, CV_16UC1, cv::Scalar(1000));
   depth.colRange(20, 40).setTo(3000);
   depth.colRange(40, kWidth).setTo(0);
-  const cv::Mat picture = drawOverlay(depthViewOf(depth, 1000), blankSegmentation(), kCamera);
+  const cv::Mat picture = drawOverlay(depthViewOf(depth, 0.001), blankSegmentation(), kCamera);
   ASSERT_EQ(picture.type(), CV_8UC3);
   ASSERT_EQ(picture.size(), depth.size());
   for (auto it = picture.begin<cv::Vec3b>(); it != picture.end<cv::Vec3b>(); ++it) ASSERT_TRUE(isGrey(*it));
@@ -39,7 +39,7 @@ TEST(Overlay, TintsEachPlaneInItsColor) {
   segmentation.labels[5 * kWidth + 3] = 1;
   segmentation.labels[5 * kWidth + 6] = 2;
   segmentation.labels[5 * kWidth + 9] = 65535;
-  const cv::Mat picture = drawOverlay(depthViewOf(depth, 1000), segmentation, kCamera);
+  const cv::Mat picture = drawOverlay(depthViewOf(depth, 0.001), segmentation, kCamera);
   const auto& first = picture.at<cv::Vec3b>(5, 3);
   const auto& second = picture.at<cv::Vec3b>(5, 6);
   EXPECT_FALSE(isGrey(first));
@@ -62,7 +62,7 @@ TEST(Overlay, DrawsOutlinesWhereTheyAreSeenAndSurvivesOnesThatAreNot) {
   segmentation.vertices = {{-0.4F, -0.3F, 1.F}, {0.4F, -0.3F, 1.F}, {0.4F, 0.3F, 1.F}, {-0.4F, 0.3F, 1.F},
                            {1e9F, 0.F, 1.F},    {0.F, 0.F, 0.F},    {0.F, -1e9F, -1.F}};
   segmentation.rings = {{0, 4}, {4, 3}};
-  const cv::Mat picture = drawOverlay(depthViewOf(depth, 1000), segmentation, kCamera);
+  const cv::Mat picture = drawOverlay(depthViewOf(depth, 0.001), segmentation, kCamera);
   const int column = cvRound(60.0 * -0.4 + 31.5);
   EXPECT_FALSE(isGrey(picture.at<cv::Vec3b>(20, column)));
   EXPECT_TRUE(isGrey(picture.at<cv::Vec3b>(20, 2)));
@@ -70,7 +70,7 @@ TEST(Overlay, DrawsOutlinesWhereTheyAreSeenAndSurvivesOnesThatAreNot) {
 
 TEST(Overlay, AcceptsAnImageWithoutDepth) {
   const cv::Mat depth = cv::Mat::zeros(kHeight, kWidth, CV_16UC1);
-  EXPECT_EQ(cv::countNonZero(drawOverlay(depthViewOf(depth, 1000), blankSegmentation(), kCamera).reshape(1)),
+  EXPECT_EQ(cv::countNonZero(drawOverlay(depthViewOf(depth, 0.001), blankSegmentation(), kCamera).reshape(1)),
             0);
 }
 

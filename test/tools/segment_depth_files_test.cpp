@@ -89,7 +89,8 @@ TEST_F(SegmentDepth, RecordsWhatTheResultsWereMadeFrom) {
   const ToolResult sum = runProcess("/usr/bin/sha256sum", {image});
   EXPECT_EQ(document["input"]["sha256"], sum.out.substr(0, 64));
   EXPECT_NEAR(document["settings"]["parameters"]["min_range"].get<double>(), 0.7, 1e-6);
-  EXPECT_EQ(document["settings"]["units_per_metre"], 5000);
+  EXPECT_EQ(document["settings"]["depth_unit"], 0.0002);
+  EXPECT_EQ(document["settings"]["units_per_metre"], 5000);  // for readers of the older name
   EXPECT_FALSE(document["settings"]["version"].get<std::string>().empty());
 }
 

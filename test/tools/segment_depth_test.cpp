@@ -18,7 +18,7 @@ TEST_F(SegmentDepth, SaysThatTheDepthScaleIsWrong) {
     EXPECT_EQ(
         result.err,
         "segment_depth: in 1 of 1 images most depths lie outside of min_range to max_range: is the depth "
-        "scale right?\n");
+        "unit right?\n");
   }
 }
 

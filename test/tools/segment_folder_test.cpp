@@ -80,6 +80,11 @@ TEST_F(SegmentFolder, GoesOnWhereItWas) {
   EXPECT_NE(result.out.find("2 frames were finished before"), std::string::npos) << result.out;
   EXPECT_EQ(textOf(planes(0)), before);
   EXPECT_EQ(workedOn(segment()), std::vector<int>{});
+  // Results of earlier versions have only the older name of the depth unit.
+  auto older = nlohmann::json::parse(before);
+  EXPECT_EQ(older["settings"].erase("depth_unit"), 1U);
+  folder_.write("out/1305031450.5.planes.json", older.dump());
+  EXPECT_EQ(workedOn(segment()), std::vector<int>{});
   EXPECT_EQ(workedOn(segment({"--redo"})), (std::vector<int>{0, 1, 2, 3, 4}));
 }
 

@@ -58,7 +58,7 @@ int loadPackedUint16(const std::uint8_t* __restrict first, int count, float scal
 
 int load(const DepthView& view, const std::uint8_t* first, std::size_t stride, int count, DepthRange range,
          float* depth) {
-  const float scale = view.metres_per_unit;
+  const float scale = view.depth_unit;
   // No camera sees what is nearer than a micrometre, and of such numbers the powers that a plane's covariance
   // is made of are 0. A NaN bound is none.
   constexpr float kSmallest = 1e-6F;  // [m]
@@ -75,25 +75,25 @@ int load(const DepthView& view, const std::uint8_t* first, std::size_t stride, i
 }
 
 template <typename Pixel>
-DepthView viewOfPacked(const Pixel* pixels, int width, int height, DepthType type, float metres_per_unit) {
+DepthView viewOfPacked(const Pixel* pixels, int width, int height, DepthType type, float depth_unit) {
   DepthView view;
   view.data = reinterpret_cast<const std::uint8_t*>(pixels);
   view.width = width;
   view.height = height;
   view.step = static_cast<std::size_t>(width) * sizeof(Pixel);
   view.type = type;
-  view.metres_per_unit = metres_per_unit;
+  view.depth_unit = depth_unit;
   return view;
 }
 
 }  // namespace
 
-DepthView viewOf(const std::uint16_t* pixels, int width, int height, float metres_per_unit) {
-  return viewOfPacked(pixels, width, height, DepthType::kUint16, metres_per_unit);
+DepthView viewOf(const std::uint16_t* pixels, int width, int height, float depth_unit) {
+  return viewOfPacked(pixels, width, height, DepthType::kUint16, depth_unit);
 }
 
-DepthView viewOf(const float* pixels, int width, int height, float metres_per_unit) {
-  return viewOfPacked(pixels, width, height, DepthType::kFloat32, metres_per_unit);
+DepthView viewOf(const float* pixels, int width, int height, float depth_unit) {
+  return viewOfPacked(pixels, width, height, DepthType::kFloat32, depth_unit);
 }
 
 int loadRow(const DepthView& view, int v, const DepthRange& range, float* depth) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "text_anchor.h"
+#include "label_anchor.h"
 
 #include <algorithm>
 #include <array>
@@ -109,12 +109,12 @@ std::vector<PlaneCells> cellsOfPlanes(const CellGrid& grid, std::size_t plane_co
 
 }  // namespace
 
-std::vector<TextAnchor> textAnchors(const Segmentation& segmentation) {
+std::vector<LabelAnchor> labelAnchors(const Segmentation& segmentation) {
   constexpr double kMinDistanceRatio = 0.8;  // fraction of the largest distance to the border
   const CellGrid grid(segmentation);
   const std::vector<PlaneCells> cells = cellsOfPlanes(grid, segmentation.planes.size());
 
-  std::vector<TextAnchor> anchors(segmentation.planes.size());
+  std::vector<LabelAnchor> anchors(segmentation.planes.size());
   std::vector<long> least_squared_offset(anchors.size(), std::numeric_limits<long>::max());
   for (int r = 1; r <= grid.rows() - 2; ++r) {
     for (int c = 1; c <= grid.columns() - 2; ++c) {

@@ -9,7 +9,7 @@ namespace line_plane_segmentation {
 
 /// Pixel inside a plane, far from its border, at which its text is drawn (an approximate pole of
 /// inaccessibility). The plane's centroid may be occluded or lie in a hole.
-struct TextAnchor {
+struct LabelAnchor {
   bool found = false;  ///< false if the plane has no cell in the grid
   int u = 0;           ///< [px]
   int v = 0;           ///< [px]
@@ -18,6 +18,6 @@ struct TextAnchor {
 /// Returns one anchor per plane of the segmentation. Among the cells whose distance to the border is at least
 /// 80 % of the largest, it is the one nearest to the plane's centroid. Uses a coarse grid that samples about
 /// 1 % of the pixels, so single invalid pixels have no effect.
-std::vector<TextAnchor> textAnchors(const Segmentation& segmentation);
+std::vector<LabelAnchor> labelAnchors(const Segmentation& segmentation);
 
 }  // namespace line_plane_segmentation

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "text_anchor.h"
+#include "label_anchor.h"
 
 #include <gtest/gtest.h>
 
@@ -35,7 +35,7 @@ void fill(Segmentation& segmentation, int first_u, int last_u, int first_v, int 
 }
 
 // Smallest distance from the anchor to a pixel of another label, along rows and columns.
-int roomAround(Segmentation& segmentation, const TextAnchor& anchor) {
+int roomAround(Segmentation& segmentation, const LabelAnchor& anchor) {
   const std::uint16_t label = labelAt(segmentation, anchor.u, anchor.v);
   int room = kWidth;
   for (int v = 0; v < kHeight; ++v) {
@@ -47,23 +47,23 @@ int roomAround(Segmentation& segmentation, const TextAnchor& anchor) {
   return room;
 }
 
-TEST(TextAnchor, IsTheMiddleOfARectangle) {
+TEST(LabelAnchor, IsTheMiddleOfARectangle) {
   Segmentation segmentation = segmentationOf(1);
   fill(segmentation, 100, 300, 200, 300, 1);
-  const TextAnchor anchor = textAnchors(segmentation).at(0);
+  const LabelAnchor anchor = labelAnchors(segmentation).at(0);
   ASSERT_TRUE(anchor.found);
   EXPECT_NEAR(200, anchor.u, 10);
   EXPECT_NEAR(250, anchor.v, 10);
 }
 
 // A wall behind a door frame, a floor around a table: the centroid of each lies on the other one.
-TEST(TextAnchor, LiesOnItsPlaneWhereTheMiddleDoesNot) {
+TEST(LabelAnchor, LiesOnItsPlaneWhereTheMiddleDoesNot) {
   Segmentation segmentation = segmentationOf(2);
   fill(segmentation, 0, 640, 0, 480, 1);
   fill(segmentation, 120, 520, 90, 390, 2);
   fill(segmentation, 160, 480, 130, 350, 1);
   fill(segmentation, 280, 360, 200, 280, 0);
-  const std::vector<TextAnchor> anchors = textAnchors(segmentation);
+  const std::vector<LabelAnchor> anchors = labelAnchors(segmentation);
   for (const std::size_t k : {0U, 1U}) {
     ASSERT_TRUE(anchors.at(k).found);
     EXPECT_EQ(k + 1, labelAt(segmentation, anchors[k].u, anchors[k].v));
@@ -71,36 +71,36 @@ TEST(TextAnchor, LiesOnItsPlaneWhereTheMiddleDoesNot) {
   }
 }
 
-TEST(TextAnchor, SeesOverMissingPixels) {
+TEST(LabelAnchor, SeesOverMissingPixels) {
   Segmentation segmentation = segmentationOf(1);
   fill(segmentation, 100, 300, 200, 300, 1);
   for (int i = 0; i < 200; ++i) labelAt(segmentation, 100 + i, 200 + 37 * i % 100) = 0;
-  const TextAnchor anchor = textAnchors(segmentation).at(0);
+  const LabelAnchor anchor = labelAnchors(segmentation).at(0);
   ASSERT_TRUE(anchor.found);
   EXPECT_NEAR(200, anchor.u, 10);
   EXPECT_NEAR(250, anchor.v, 10);
 }
 
-TEST(TextAnchor, KeepsAwayFromTheBorderOfTheImage) {
+TEST(LabelAnchor, KeepsAwayFromTheBorderOfTheImage) {
   Segmentation segmentation = segmentationOf(1);
   fill(segmentation, 0, 20, 0, 480, 1);
   fill(segmentation, 0, 100, 0, 100, 1);
-  const TextAnchor anchor = textAnchors(segmentation).at(0);
+  const LabelAnchor anchor = labelAnchors(segmentation).at(0);
   ASSERT_TRUE(anchor.found);
   EXPECT_GE(anchor.u, 24);
   EXPECT_GE(anchor.v, 24);
 }
 
-TEST(TextAnchor, OfNothingIsNotFound) {
-  EXPECT_TRUE(textAnchors(Segmentation{}).empty());
-  EXPECT_FALSE(textAnchors(segmentationOf(1)).at(0).found);
+TEST(LabelAnchor, OfNothingIsNotFound) {
+  EXPECT_TRUE(labelAnchors(Segmentation{}).empty());
+  EXPECT_FALSE(labelAnchors(segmentationOf(1)).at(0).found);
   Segmentation thin = segmentationOf(1);
   fill(thin, 0, 640, 240, 241, 1);
-  EXPECT_FALSE(textAnchors(thin).at(0).found);
+  EXPECT_FALSE(labelAnchors(thin).at(0).found);
   Segmentation row = segmentationOf(1);
   row.height = 1;
   row.labels.assign(kWidth, 1);
-  EXPECT_FALSE(textAnchors(row).at(0).found);
+  EXPECT_FALSE(labelAnchors(row).at(0).found);
 }
 
 }  // namespace
