@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -234,8 +235,16 @@ std::vector<std::string> sanitize(Parameters& parameters);
 /// @param width  [px], at least 1
 Parameters resolve(const Parameters& parameters, int width);
 
-/// Sets all parameters to a preset: "kinect" (the defaults), "short_range" (scanners with millimetre steps
-/// and small parts) or "paper" (the published method).
+/// The presets: "kinect" (the defaults; Kinect v1, Xtion), "stereo" (stereo cameras of the D435 class),
+/// "stereo_short" (stereo cameras for near things, D405), "tof" (time-of-flight cameras, Azure Kinect, L515),
+/// "short_range" (scanners with millimetre steps and small parts) and "paper" (the published method).
+constexpr std::array<const char*, 6> kPresetNames = {"kinect", "stereo",      "stereo_short",
+                                                     "tof",    "short_range", "paper"};
+
+/// Returns the names of the presets, separated by commas.
+std::string presetNames();
+
+/// Sets all parameters to a preset.
 /// @return false if there is no preset of that name; `parameters` are then unchanged
 bool loadPreset(const std::string& name, Parameters& parameters);
 

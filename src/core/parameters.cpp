@@ -131,14 +131,31 @@ Parameters resolve(const Parameters& parameters, int width) {
   return p;
 }
 
+std::string presetNames() {
+  std::string names;
+  for (const char* name : kPresetNames) names += (names.empty() ? "" : ", ") + std::string(name);
+  return names;
+}
+
 bool loadPreset(const std::string& name, Parameters& parameters) {
-  if (name == "kinect") {
-    parameters = Parameters{};
+  const auto isNamed = [&name](const char* preset) { return name == preset; };
+  if (std::none_of(kPresetNames.begin(), kPresetNames.end(), isNamed)) return false;
+  parameters = Parameters{};
+  if (name == "stereo") {
+    // z² / (f b) times 0.08 px of disparity, with f = 425 px and b = 50 mm (D435, 848x480).
+    parameters.noise = {0.0005, 0.0038, 0.0, 0.0};
+  } else if (name == "stereo_short") {
+    // The same with f = 430 px and b = 18 mm (D405).
+    parameters.noise = {0.0002, 0.0103, 0.0, 0.0};
+    parameters.scanlines.min_range = 0.05;
+    parameters.patches.patch_distance = 0.001;
+    parameters.extraction.plane_distance = 0.005;
+  } else if (name == "tof") {
+    // 1.5 mm up close to 4 mm at 3.5 m (Azure Kinect; Tölgyessy et al. 2021).
+    parameters.noise = {0.0015, 0.0003, 0.5, 0.0};
   } else if (name == "paper") {
-    parameters = Parameters{};
     parameters.method = Method::kPaper;
   } else if (name == "short_range") {
-    parameters = Parameters{};
     parameters.noise = {0.0007, 0.0, 0.0, 1.0};  // steps of 1.3 mm, near and far
     parameters.scanlines.min_range = 0.1;
     parameters.scanlines.scanline_spacing = 5;
@@ -156,8 +173,6 @@ bool loadPreset(const std::string& name, Parameters& parameters) {
     parameters.extraction.min_plane_inliers = 120;
     parameters.clusters.min_patches = 4;
     parameters.cleanup.min_region_pixels = 30;
-  } else {
-    return false;
   }
   return true;
 }

@@ -30,7 +30,7 @@ class PythonSegmenter {
   PythonSegmenter(const std::string& preset, const py::kwargs& parameters) {
     Parameters chosen;
     if (!loadPreset(preset, chosen)) {
-      throw py::value_error("no preset is named '" + preset + "'; there are kinect, short_range and paper");
+      throw py::value_error("no preset is named '" + preset + "'; there are " + presetNames());
     }
     set(parameters, chosen);
   }

@@ -145,11 +145,10 @@ bool isSame(const Parameters& a, const Parameters& b) {
   return same;
 }
 
-constexpr const char* kPresets[] = {"kinect", "short_range", "paper"};
 constexpr char kNoPreset[] = "custom";
 
 std::string presetOf(const Parameters& method) {
-  for (const char* name : kPresets) {
+  for (const char* name : kPresetNames) {
     Parameters preset;
     if (loadPreset(name, preset) && isSame(preset, method)) return name;
   }
@@ -254,10 +253,9 @@ void checkParameterServer(const ros::NodeHandle& private_nh) {
   if (private_nh.hasParam("fine_spacing"))
     ROS_WARN("%s", setParameter("fine_spacing", "0", parameters.method).c_str());
   problems += problemWithText(private_nh, "preset");
-  const std::string preset = private_nh.param<std::string>("preset", kPresets[0]);
+  const std::string preset = private_nh.param<std::string>("preset", kPresetNames[0]);
   if (preset != kNoPreset && !loadPreset(preset, parameters.method)) {
-    problems +=
-        "~preset = '" + printableText(preset) + "' is none of kinect, short_range, paper and custom; ";
+    problems += "~preset = '" + printableText(preset) + "' is none of " + presetNames() + ", custom; ";
   }
   if (!problems.empty()) throw std::invalid_argument(problems + "correct them and start again");
 }
@@ -268,9 +266,9 @@ std::string expandPreset(const ros::NodeHandle& private_nh) {
   if (private_nh.hasParam("method") && getAs(private_nh, "method", method)) {
     setAs(private_nh, "method", method);
   }
-  std::string name = private_nh.param<std::string>("preset", kPresets[0]);
+  std::string name = private_nh.param<std::string>("preset", kPresetNames[0]);
   Parameters preset;
-  if (name == kPresets[0] || !loadPreset(name, preset)) return name;
+  if (name == kPresetNames[0] || !loadPreset(name, preset)) return name;
   visitParameters(preset, [&](const char* parameter, const auto& value, auto, auto) {
     if (!private_nh.hasParam(parameter)) setAs(private_nh, parameter, value);
   });

@@ -14,7 +14,7 @@ namespace po = boost::program_options;
 
 void addParameterOptions(po::options_description& options) {
   options.add_options()("preset", po::value<std::string>()->value_name("NAME")->default_value("kinect"),
-                        "kinect, short_range or paper")(
+                        presetNames().c_str())(
       "set", po::value<std::vector<std::string>>()->value_name("PARAMETER=VALUE")->default_value({}, ""),
       "change one parameter of the preset; may be given more than once");
 }
@@ -23,7 +23,7 @@ Parameters parametersOf(const po::variables_map& given, const OtherParameters& s
   Parameters parameters;
   const auto& preset = given["preset"].as<std::string>();
   if (!loadPreset(preset, parameters)) {
-    throw BadInput("no preset is named '" + preset + "'; there are kinect, short_range and paper");
+    throw BadInput("no preset is named '" + preset + "'; there are " + presetNames());
   }
   for (const std::string& setting : given["set"].as<std::vector<std::string>>()) {
     const std::size_t equals = setting.find('=');

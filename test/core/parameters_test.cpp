@@ -52,7 +52,7 @@ TEST(Parameters, HaveNamesOfTheirOwn) {
 }
 
 TEST(Sanitize, LeavesDefaultsAndPresetsAlone) {
-  for (const char* preset : {"kinect", "short_range", "paper"}) {
+  for (const char* preset : kPresetNames) {
     Parameters parameters;
     ASSERT_TRUE(loadPreset(preset, parameters));
     const std::vector<double> before = valuesOf(parameters);
@@ -249,6 +249,20 @@ TEST(Presets, AreTheThreeOfTheDesign) {
 
   ASSERT_TRUE(loadPreset("short_range", parameters));
   EXPECT_LT(parameters.extraction.plane_distance, Parameters{}.extraction.plane_distance);
+}
+
+TEST(Presets, OfStereoCamerasHaveErrorsThatGrowWithTheSquaredDepth) {
+  Parameters stereo, near, tof;
+  ASSERT_TRUE(loadPreset("stereo", stereo));
+  ASSERT_TRUE(loadPreset("stereo_short", near));
+  ASSERT_TRUE(loadPreset("tof", tof));
+  constexpr double kDisparityError = 0.08, kFocalLength = 425.0, kBaseline = 0.05;  // [px], [px], [m]
+  EXPECT_NEAR(stereo.noise.sigma(4.0) - stereo.noise.sigma(0.0),
+              16.0 * kDisparityError / (kFocalLength * kBaseline), 1e-3);
+  EXPECT_LT(near.noise.sigma(0.1), stereo.noise.sigma(0.1));
+  EXPECT_GT(near.noise.sigma(2.0), stereo.noise.sigma(2.0));
+  EXPECT_LT(tof.noise.sigma(3.5), 0.1 * stereo.noise.sigma(3.5));
+  for (const Parameters& p : {stereo, near, tof}) EXPECT_EQ(p.noise.scale, 0.0) << "measured in each image";
 }
 
 TEST(Presets, OfAnUnknownNameChangeNothing) {

@@ -36,9 +36,9 @@ void drawOne(ByteReader& bytes, Visit visit) {
 }  // namespace
 
 Parameters drawParameters(ByteReader& bytes) {
-  constexpr const char* kPresets[] = {"kinect", "short_range", "paper"};
   Parameters parameters;
-  EXPECT_TRUE(loadPreset(kPresets[bytes.integer(0, 2)], parameters));
+  EXPECT_TRUE(
+      loadPreset(kPresetNames[bytes.integer(0, static_cast<int>(kPresetNames.size()) - 1)], parameters));
   EXPECT_TRUE(sanitize(parameters).empty()) << "a preset is in order";
   for (int i = bytes.integer(0, 7); i > 0; --i) {
     drawOne(bytes, [&](auto visitor) { visitParameters(parameters, visitor); });

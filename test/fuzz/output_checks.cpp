@@ -107,7 +107,7 @@ void expectExplained(const Validation& input, const std::string& explanation) {
   EXPECT_TRUE(!input.accepted() || isUsable(input.camera));
 }
 
-void expectSoundMessages(const FrameSegmenter& segmenter, const PublishedPlanes& published) {
+void expectSoundMessages(FrameSegmenter& segmenter, const PublishedPlanes& published) {
   EXPECT_NE(0U, segmenter.header().frame_id.find('/')) << "tf2 refuses a leading slash";
   const SegmentedFrame frame = segmenter.result(published);
   const sensor_msgs::Image::Ptr labels = labelsImage(frame);

@@ -11,6 +11,6 @@ void expectExplained(const Validation& input, const std::string& explanation);
 
 /// Makes all messages of the segmenter's last frame, and expects of them what is promised, whatever the frame
 /// was: finite numbers, labels and counts that agree.
-void expectSoundMessages(const FrameSegmenter& segmenter, const PublishedPlanes& published);
+void expectSoundMessages(FrameSegmenter& segmenter, const PublishedPlanes& published);
 
 }  // namespace line_plane_segmentation

@@ -115,7 +115,8 @@ Parameters drawAsText(ByteReader& bytes) {
 
 // As requests to a running nodelet set them; the server has clamped them when they come.
 Parameters drawAsRequests(ByteReader& bytes) {
-  constexpr const char* kPresets[] = {"kinect", "short_range", "paper", "custom", "", "none"};
+  constexpr const char* kPresets[] = {"kinect", "short_range", "paper",        "custom", "",
+                                      "none",   "stereo",      "stereo_short", "tof"};
   constexpr const char* kFrames[] = {"", "/", "map", "/map", "//"};
   NodeletParameters current;
   PlaneSegmenterConfig config = PlaneSegmenterConfig::__getDefault__();
@@ -124,7 +125,7 @@ Parameters drawAsRequests(ByteReader& bytes) {
     for (int i = bytes.integer(0, 6); i > 0; --i) {
       drawAnyOne(bytes, [&](auto visitor) { visitNodeletParameters(wanted, visitor); });
     }
-    if (bytes.chance(64)) wanted.preset = kPresets[bytes.integer(0, 5)];
+    if (bytes.chance(64)) wanted.preset = kPresets[bytes.integer(0, 8)];
     visitFrames(wanted, [&](const char*, std::string& frame) {
       if (bytes.chance(64)) frame = kFrames[bytes.integer(0, 4)];
     });

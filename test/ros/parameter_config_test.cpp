@@ -234,7 +234,7 @@ class Presets : public testing::Test {
 };
 
 TEST_F(Presets, areLoadedWhileItRunsAndReportedBack) {
-  for (const char* name : {"paper", "short_range", "kinect", "paper"}) {
+  for (const char* name : {"paper", "stereo", "stereo_short", "tof", "short_range", "kinect", "paper"}) {
     config_.preset = name;
     request();
     Parameters preset;
