@@ -42,7 +42,7 @@ class TuningPage(unittest.TestCase):
         headings = set(re.findall(r"^### (\w+)$", page, re.MULTILINE))
         self.assertEqual(set(PlaneSegmenter().parameters) - {"method"}, headings)
         self.assertEqual(set(re.findall(r"\(tuning/(\w+)\.png\)", page)), pictures)
-        self.assertLessEqual({"merge_cost", "min_plane_inliers", "max_range", "line_fidelity"}, pictures)
+        self.assertLessEqual({"patch_noise_factor", "min_plane_inliers", "max_range", "line_fidelity"}, pictures)
 
         committed = (ROOT / "doc" / "tuning.md").read_text(encoding="utf-8")
         self.assertEqual(facts(page), facts(committed), "run scripts/make_tuning_page")
