@@ -11,6 +11,71 @@
 
 namespace line_plane_segmentation {
 
+namespace {
+
+// Sums over the pixels of a run. The compiler makes single steps of a loop over lanes, so these are vectors
+// by name.
+class RunLanes {
+ public:
+  static constexpr int kLanes = PixelSums::kLanes;
+
+  // Loads the next pixels to be added; those of a depth 0 count as none.
+  void load(const float* z, const double* x) {
+    Depths depths;
+    std::memcpy(&depths, z, sizeof(depths));
+    depth_ = Lanes{depths[0], depths[1], depths[2], depths[3]};
+    std::memcpy(&ray_, x, sizeof(ray_));
+  }
+  void set(int lane, float z, double x) {
+    depth_[lane] = static_cast<double>(z);
+    ray_[lane] = x;
+  }
+  // Sets all loaded depths but the last ones to 0.
+  void keepLast(int pixels) {
+    static constexpr std::array<double, 2 * kLanes> kMask = {0.0, 0.0, 0.0, 0.0, 1.0, 1.0, 1.0, 1.0};
+    Lanes kept;
+    std::memcpy(&kept, kMask.data() + pixels, sizeof(kept));
+    depth_ *= kept;
+  }
+  void add() {
+    const Lanes square = depth_ * depth_, square_ray = square * ray_;
+    z_ += depth_;
+    zx_ += depth_ * ray_;
+    zz_ += square;
+    zzx_ += square_ray;
+    zzxx_ += square_ray * ray_;
+    zzz_ += square * depth_;
+  }
+  void addTo(double y, PixelSums& sums) const {
+    addLanes(sums.z, z_);
+    addLanes(sums.zx, zx_);
+    addLanes(sums.zy, y * z_);
+    addLanes(sums.zz, zz_);
+    addLanes(sums.zzx, zzx_);
+    addLanes(sums.zzy, y * zz_);
+    addLanes(sums.zzxx, zzxx_);
+    addLanes(sums.zzxy, y * zzx_);
+    addLanes(sums.zzyy, y * y * zz_);
+    addLanes(sums.zzz, zzz_);
+  }
+
+ private:
+  using Depths __attribute__((vector_size(kLanes * sizeof(float)))) = float;
+  using Lanes __attribute__((vector_size(kLanes * sizeof(double)))) = double;
+
+  static void addLanes(PixelSums::Lanes& sum, const Lanes& more) {
+    Lanes lanes;
+    std::memcpy(&lanes, sum.data(), sizeof(lanes));
+    lanes += more;
+    std::memcpy(sum.data(), &lanes, sizeof(lanes));
+  }
+
+  Lanes z_{}, zx_{}, zz_{}, zzx_{}, zzxx_{}, zzz_{};
+  Lanes depth_{}, ray_{};
+};
+
+}  // namespace
+
 LPS_MULTIVERSION
 void markInliers(const float* z, const float* x, int count, float a, float b, float d, float threshold,
                  std::uint8_t* mask) {
@@ -69,6 +134,10 @@ int* appendMarked(const std::uint8_t* marks, int count, int* columns) {
   using Word = std::uint64_t;
   constexpr int kMarks = sizeof(Word);
   constexpr Word kLast = Word{1} << (kMarkBlock - 1);
+  // The sum of 2^(7 j) for j = 1 to 8. Mark i, which is bit 8 i, times 2^(7 (8 - i)) is bit 56 + i: the
+  // highest byte of the product has all eight marks. The other products lie below it or beyond the word, and
+  // no two meet in a bit.
+  constexpr Word kGather = 0x0102040810204080;
   for (int first = 0; first < count; first += kMarkBlock) {
     Word bits = 0;
     for (int i = 0; i < kMarkBlock; i += kMarks) {
@@ -77,8 +146,7 @@ int* appendMarked(const std::uint8_t* marks, int count, int* columns) {
 #if defined(__BYTE_ORDER__) && __BYTE_ORDER__ == __ORDER_BIG_ENDIAN__
       word = __builtin_bswap64(word);
 #endif
-      // Each mark is multiplied into a bit of the highest byte.
-      bits |= word * 0x0102040810204080 >> (kMarkBlock - kMarks) << i;
+      bits |= word * kGather >> (kMarkBlock - kMarks) << i;
     }
     int* const end = columns + __builtin_popcountll(bits);
     for (int k = 0; k < kSpareColumns; ++k, bits &= bits - 1)
@@ -131,67 +199,24 @@ void assignIfBetter(const float* __restrict z, const float* __restrict depth_ove
   assign(count - kBlock, kBlock);
 }
 
-// The compiler makes single steps of a loop over lanes, so these are vectors by name.
 LPS_MULTIVERSION
 void addRun(const float* z, const double* x, double y, int count, PixelSums& sums) {
   constexpr int kLanes = PixelSums::kLanes;
-  using Depths __attribute__((vector_size(kLanes * sizeof(float)))) = float;
-  using Lanes __attribute__((vector_size(kLanes * sizeof(double)))) = double;
-  static constexpr std::array<double, 2 * kLanes> kMask = {0.0, 0.0, 0.0, 0.0, 1.0, 1.0, 1.0, 1.0};
-
-  Lanes sum_z{}, sum_zx{}, sum_zz{}, sum_zzx{}, sum_zzxx{}, sum_zzz{};
-  // The next pixels to be added, those of a depth 0 being none.
-  Lanes depth{}, ray{};
-  const auto load = [&](int first) {
-    Depths depths;
-    std::memcpy(&depths, z + first, sizeof(depths));
-    depth = Lanes{depths[0], depths[1], depths[2], depths[3]};
-    std::memcpy(&ray, x + first, sizeof(ray));
-  };
-  const auto add = [&]() {
-    const Lanes square = depth * depth, square_ray = square * ray;
-    sum_z += depth;
-    sum_zx += depth * ray;
-    sum_zz += square;
-    sum_zzx += square_ray;
-    sum_zzxx += square_ray * ray;
-    sum_zzz += square * depth;
-  };
+  RunLanes run;
   if (count < kLanes) {
-    for (int i = 0; i < count; ++i) {
-      depth[i] = static_cast<double>(z[i]);
-      ray[i] = x[i];
-    }
+    for (int i = 0; i < count; ++i) run.set(i, z[i], x[i]);
   } else {
     int i = 0;
     for (; i + kLanes <= count; i += kLanes) {
-      load(i);
-      add();
+      run.load(z + i, x + i);
+      run.add();
     }
     // What is left lies at the end of the run's last lanes; those before have been added.
-    Lanes kept;
-    std::memcpy(&kept, kMask.data() + (count - i), sizeof(kept));
-    load(count - kLanes);
-    depth *= kept;
+    run.load(z + count - kLanes, x + count - kLanes);
+    run.keepLast(count - i);
   }
-  add();
-
-  const auto addTo = [](PixelSums::Lanes& sum, const Lanes& more) {
-    Lanes lanes;
-    std::memcpy(&lanes, sum.data(), sizeof(lanes));
-    lanes += more;
-    std::memcpy(sum.data(), &lanes, sizeof(lanes));
-  };
-  addTo(sums.z, sum_z);
-  addTo(sums.zx, sum_zx);
-  addTo(sums.zy, y * sum_z);
-  addTo(sums.zz, sum_zz);
-  addTo(sums.zzx, sum_zzx);
-  addTo(sums.zzy, y * sum_zz);
-  addTo(sums.zzxx, sum_zzxx);
-  addTo(sums.zzxy, y * sum_zzx);
-  addTo(sums.zzyy, y * y * sum_zz);
-  addTo(sums.zzz, sum_zzz);
+  run.add();
+  run.addTo(y, sums);
   sums.pixels += count;
 }
 

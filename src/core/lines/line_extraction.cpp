@@ -140,12 +140,12 @@ void LineExtractor::extractPiece(const Scanline& scanline, int first, int last, 
   const int window_count = static_cast<int>(fidelity_.size());
   for (int i = 0; i < window_count;) {
     // Not ">=", which no NaN is: the loop would stay there for ever.
-    if (!(fidelity_[static_cast<std::size_t>(i)] < parameters.line_fidelity)) {
+    if (!(fidelity_[i] < parameters.line_fidelity)) {
       ++i;
       continue;
     }
     const int run_first = i;
-    while (i < window_count && fidelity_[static_cast<std::size_t>(i)] < parameters.line_fidelity) ++i;
+    while (i < window_count && fidelity_[i] < parameters.line_fidelity) ++i;
     Range range{first + run_first, first + i - 1 + parameters.line_window - 1, {}};
     range.line =
         fitLine(points + range.first, range.last - range.first + 1, noise, parameters.line_noise_factor);
@@ -169,9 +169,8 @@ void LineExtractor::extract(const Scanline& scanline, const NoiseParameters& noi
   const int count = static_cast<int>(scanline.points.size());
   for (int first = 0, i = 1; i <= count; ++i) {
     // A hole starts a new piece; a few missing pixels, fewer than a window, do not.
-    const bool is_hole = i < count && scanline.points[static_cast<std::size_t>(i)].pixel -
-                                              scanline.points[static_cast<std::size_t>(i - 1)].pixel >
-                                          parameters.line_window;
+    const bool is_hole =
+        i < count && scanline.points[i].pixel - scanline.points[i - 1].pixel > parameters.line_window;
     if (i < count && !is_hole) continue;
     if (i - first >= parameters.min_line_points) extractPiece(scanline, first, i - 1, noise, parameters);
     first = i;
@@ -181,8 +180,8 @@ void LineExtractor::extract(const Scanline& scanline, const NoiseParameters& noi
     LineSegment segment;
     segment.direction = scanline.direction;
     segment.scanline = scanline.index;
-    segment.first = scanline.points[static_cast<std::size_t>(range.first)].pixel;
-    segment.last = scanline.points[static_cast<std::size_t>(range.last)].pixel;
+    segment.first = scanline.points[range.first].pixel;
+    segment.last = scanline.points[range.last].pixel;
     segment.points = range.last - range.first + 1;
     segment.alpha = range.line.alpha;
     segment.r = range.line.r;

@@ -68,8 +68,7 @@ void LineGrower::grow(const std::vector<float>& across, const Parameters& parame
   set.segments.clear();
   set.segment_of.assign(set.sums.size(), -1);
   for (int k = 0; k < set.count(); ++k) {
-    listWindows(set, k, across[static_cast<std::size_t>(set.pixels[static_cast<std::size_t>(k)])],
-                parameters);
+    listWindows(set, k, across[set.pixels[k]], parameters);
     // What is most alike grows together before anything doubtful is compared.
     for (const double fraction : {1.0 / 8, 1.0, 1.0}) mergeNeighbors(fraction);
     for (const Node& node : nodes_) {

@@ -70,7 +70,7 @@ void WindowSummer::sumRows(const DepthImage& depth, const ViewRays& rays, Scanli
   };
   transpose(rays.x.data(), t_);
   for (int r = 0; r < rows.count(); ++r) {
-    transpose(depth.row(rows.pixels[static_cast<std::size_t>(r)]), z_);
+    transpose(depth.row(rows.pixels[r]), z_);
     addWindows(rows.window, rows.windows);
     LineSums* sums = rows.sums.data() + rows.indexOf(r, 0);
     const double* s = sum_lanes_.data();
@@ -90,7 +90,7 @@ void WindowSummer::sumColumns(const DepthImage& depth, const ViewRays& rays, Sca
       const float* row = depth.row(v);
 #pragma GCC unroll 4
       for (const int u : columns.pixels) *z++ = row[u];
-      t = std::fill_n(t, lanes, rays.y[static_cast<std::size_t>(v)]);
+      t = std::fill_n(t, lanes, rays.y[v]);
     }
     addWindows(count, static_cast<int>(lanes));
     const double* s = sum_lanes_.data();

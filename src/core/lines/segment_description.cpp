@@ -39,7 +39,7 @@ void describeSegments(const DepthImage& depth, const ViewRays& rays, const Scanl
   for (const GrownSegment& grown : set.segments) {
     LineSegment segment;
     segment.direction = set.direction;
-    segment.scanline = set.pixels[static_cast<std::size_t>(grown.scanline)];
+    segment.scanline = set.pixels[grown.scanline];
     segment.first = length;
     for (int window = grown.first; window <= grown.last; ++window) {
       const int end = std::min(length, (window + 1) * set.window);
@@ -53,7 +53,7 @@ void describeSegments(const DepthImage& depth, const ViewRays& rays, const Scanl
       }
     }
     const std::vector<float>& across = is_row ? rays.y : rays.x;
-    setPolarForm(grown, static_cast<double>(across[static_cast<std::size_t>(segment.scanline)]), segment);
+    setPolarForm(grown, static_cast<double>(across[segment.scanline]), segment);
     segments.push_back(segment);
   }
 }

@@ -53,7 +53,7 @@ void AdaptiveMethod::refine(const Frame& frame, LabeledPlanes& planes) {
   planes.label_count = cleaner_.clean(frame.depth, frame.rays, clusters_, frame.parameters, planes.runs);
   planes.estimates.clear();
   for (int label = 1; label <= planes.label_count; ++label) {
-    const PlaneCluster& cluster = clusters_[static_cast<std::size_t>(cleaner_.clusterOf(label))];
+    const PlaneCluster& cluster = clusters_[cleaner_.clusterOf(label)];
     planes.estimates.push_back(cluster.is_narrow ? std::nullopt : std::make_optional(estimatePlane(cluster)));
   }
 }

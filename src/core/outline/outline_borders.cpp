@@ -12,25 +12,6 @@ namespace {
 constexpr std::uint8_t kConvex = 1;  ///< the border that turns round this pixel
 constexpr std::uint8_t kReflex = 2;  ///< the border that turns round the three others, which have one label
 
-/// A straight piece of a border, up to its next turn.
-struct Run {
-  int steps = 0;
-  bool turns_left = false;
-};
-
-/// Goes along a border. `left` is the pixel at the first crack on the left hand, which has the label,
-/// `to_right` leads across the crack and `step` to the next one; `room` steps end at the edge of the image.
-Run runAlong(const std::uint16_t* left, std::ptrdiff_t to_right, std::ptrdiff_t step, int room,
-             bool right_in_image) {
-  const std::uint16_t label = *left;
-  for (int steps = 1; steps < room; ++steps) {
-    left += step;
-    if (*left != label) return {steps, true};
-    if (right_in_image && left[to_right] == label) return {steps, false};
-  }
-  return {room, true};
-}
-
 bool comesBefore(const Border& a, const Border& b) {
   if (a.label != b.label) return a.label < b.label;
   if ((a.area > 0) != (b.area > 0)) return a.area > 0;
@@ -79,34 +60,46 @@ void BorderFollower::follow(const std::uint16_t* labels, const LabelRuns& runs, 
   std::sort(borders_.begin(), borders_.end(), comesBefore);
 }
 
+/// Goes along a border. `left` is the pixel at the first crack on the left hand, which has the label,
+/// `to_right` leads across the crack and `step` to the next one; `room` steps end at the edge of the image.
+BorderFollower::Run BorderFollower::runAlong(const std::uint16_t* left, std::ptrdiff_t to_right,
+                                             std::ptrdiff_t step, int room, bool right_in_image) {
+  const std::uint16_t label = *left;
+  for (int steps = 1; steps < room; ++steps) {
+    left += step;
+    if (*left != label) return {steps, true};
+    if (right_in_image && left[to_right] == label) return {steps, false};
+  }
+  return {room, true};
+}
+
+/// The piece of a border that sets out from a corner in a direction.
+BorderFollower::Run BorderFollower::runFrom(int x, int y, unsigned direction) const {
+  const std::ptrdiff_t width = width_, below_right = y * width + x;
+  switch (direction) {
+    case kDown:
+      return runAlong(labels_ + below_right, -1, width, height_ - y, x > 0);
+    case kRight:
+      return runAlong(labels_ + (below_right - width), width, 1, width_ - x, y < height_);
+    case kUp:
+      return runAlong(labels_ + (below_right - width - 1), 1, -width, y, x < width_);
+    default:
+      return runAlong(labels_ + (below_right - 1), -width, -1, x, y > 0);
+  }
+}
+
 /// Follows a border round from a corner where it sets out in the given direction.
 void BorderFollower::followFrom(int start_x, int start_y, Direction start_direction) {
   constexpr std::array<int, 4> kStepX = {0, 1, 0, -1}, kStepY = {1, 0, -1, 0};
   constexpr std::array<std::uint8_t, 4> kSeenTurningLeft = {0, 0, 0, kConvex};
   constexpr std::array<std::uint8_t, 4> kSeenTurningRight = {0, 0, kReflex, 0};
-  const std::ptrdiff_t w = width_;
   const std::size_t first = corners_.size();
   std::int64_t area = 0;
   int x = start_x, y = start_y;
   unsigned direction = start_direction;
   do {
     corners_.push_back({x, y});
-    const std::ptrdiff_t below_right = y * w + x;
-    Run run;
-    switch (direction) {
-      case kDown:
-        run = runAlong(labels_ + below_right, -1, w, height_ - y, x > 0);
-        break;
-      case kRight:
-        run = runAlong(labels_ + (below_right - w), w, 1, width_ - x, y < height_);
-        break;
-      case kUp:
-        run = runAlong(labels_ + (below_right - w - 1), 1, -w, y, x < width_);
-        break;
-      default:
-        run = runAlong(labels_ + (below_right - 1), -w, -1, x, y > 0);
-        break;
-    }
+    const Run run = runFrom(x, y, direction);
     x += kStepX[direction] * run.steps;
     y += kStepY[direction] * run.steps;
     area -= std::int64_t{x} * (kStepY[direction] * run.steps);

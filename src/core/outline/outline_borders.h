@@ -47,7 +47,16 @@ class BorderFollower {
  private:
   enum Direction : unsigned { kDown, kRight, kUp, kLeft };
 
+  /// A straight piece of a border, up to its next turn.
+  struct Run {
+    int steps = 0;
+    bool turns_left = false;
+  };
+
   void followFrom(int x, int y, Direction direction);
+  Run runFrom(int x, int y, unsigned direction) const;
+  static Run runAlong(const std::uint16_t* left, std::ptrdiff_t to_right, std::ptrdiff_t step, int room,
+                      bool right_in_image);
   std::size_t pixelAt(int x, int y) const {
     return static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(x);
   }

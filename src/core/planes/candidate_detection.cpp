@@ -27,8 +27,7 @@ PointMoments momentsIn(const PixelWindow& window, const DepthImage& depth, const
     for (int u = window.first_u; u < window.last_u; ++u) {
       if (z[u] == 0.0F) continue;
       const double depth_here = z[u];
-      moments.add({depth_here * rays.x[static_cast<std::size_t>(u)],
-                   depth_here * rays.y[static_cast<std::size_t>(v)], depth_here});
+      moments.add({depth_here * rays.x[u], depth_here * rays.y[v], depth_here});
     }
   }
   return moments;

@@ -27,8 +27,7 @@ bool isOccludedBetween(const CrossingCandidate& from, const CrossingCandidate& t
     const float z = depth.at(u, v);
     if (!(z > 0.0F)) continue;
     const double rho = 1.0 / static_cast<double>(z);
-    const double expected = plane.at(static_cast<double>(rays.x[static_cast<std::size_t>(u)]),
-                                     static_cast<double>(rays.y[static_cast<std::size_t>(v)]));
+    const double expected = plane.at(static_cast<double>(rays.x[u]), static_cast<double>(rays.y[v]));
     if (expected - rho > tolerance.at(rho, inverse_distance)) ++behind;
   }
   return 4 * behind < steps;
@@ -53,10 +52,8 @@ void CoplanarMerger::listPairs(const MergeTree& tree, const std::vector<int>& pl
 
 // The candidate of a plane that is nearest in the image to another candidate.
 int CoplanarMerger::nearest(const CandidateGrid& grid, int plane, int to) const {
-  const auto at = [&grid](int i) -> const CrossingCandidate& {
-    return grid.candidates[static_cast<std::size_t>(i)];
-  };
-  const std::vector<int>& candidates = candidates_[static_cast<std::size_t>(plane)];
+  const auto at = [&grid](int i) -> const CrossingCandidate& { return grid.candidates[i]; };
+  const std::vector<int>& candidates = candidates_[plane];
   int nearest = candidates.front();
   std::int64_t least = std::numeric_limits<std::int64_t>::max();
   for (const int i : candidates) {
@@ -90,26 +87,24 @@ void CoplanarMerger::merge(const DepthImage& depth, const ViewRays& rays, const 
     candidates_[i] = tree.candidatesOf(compared[i]);
   }
   const auto find = [this](int i) {
-    while (merged_into_[static_cast<std::size_t>(i)] != i) i = merged_into_[static_cast<std::size_t>(i)];
+    while (merged_into_[i] != i) i = merged_into_[i];
     return i;
   };
-  const auto at = [&grid](int i) -> const CrossingCandidate& {
-    return grid.candidates[static_cast<std::size_t>(i)];
-  };
+  const auto at = [&grid](int i) -> const CrossingCandidate& { return grid.candidates[i]; };
   for (const Pair& pair : pairs_) {
     const int a = find(pair.a), b = find(pair.b);
     if (a == b) continue;
-    int& first = compared[static_cast<std::size_t>(a)];
-    const int second = compared[static_cast<std::size_t>(b)];
+    int& first = compared[a];
+    const int second = compared[b];
     FittedPixels both;
     if (!tree.combine(first, second, both) || !(tree.costOf(first, second, both) < limit)) continue;
-    const int from = nearest(grid, a, candidates_[static_cast<std::size_t>(b)].front());
+    const int from = nearest(grid, a, candidates_[b].front());
     const int to = nearest(grid, b, from);
     if (!isOccludedBetween(at(from), at(to), both.plane, depth, rays, parameters)) continue;
     first = tree.merge(first, second, both);
-    merged_into_[static_cast<std::size_t>(b)] = a;
-    std::vector<int>& all = candidates_[static_cast<std::size_t>(a)];
-    const std::vector<int>& more = candidates_[static_cast<std::size_t>(b)];
+    merged_into_[b] = a;
+    std::vector<int>& all = candidates_[a];
+    const std::vector<int>& more = candidates_[b];
     all.insert(all.end(), more.begin(), more.end());
   }
   std::size_t kept = 0;

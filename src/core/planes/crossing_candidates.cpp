@@ -39,6 +39,19 @@ RegressionMoments momentsOf(const LineSums& row, const LineSums& column, double 
           n};
 }
 
+// Fits the plane of the moments, and weighs them by 1 / tolerance².
+// @return false if they are degenerate or not flat
+bool fitWithin(const DepthTolerance& tolerance, double max_flatness, FittedPixels& fitted) {
+  if (!fitted.moments.fit(fitted.plane, fitted.squared_error)) return false;
+  const double bound =
+      tolerance.at(fitted.moments.rho / fitted.moments.weight, fitted.plane.inverseDistance());
+  const double weight = 1.0 / (bound * bound);
+  fitted.squared_error *= weight;
+  if (!(fitted.squared_error < max_flatness * fitted.moments.pixels)) return false;
+  fitted.moments.scale(weight);
+  return true;
+}
+
 }  // namespace
 
 PlaneCandidate CrossingCandidate::describe() const {
@@ -61,11 +74,11 @@ void CrossingDetector::detect(const ViewRays& rays, const ScanlineSet& rows, con
   const DepthTolerance tolerance{parameters.noise, parameters.patches.patch_noise_factor,
                                  parameters.patches.patch_distance};
   for (int r = 0; r < grid.rows; ++r) {
-    const int v = rows.pixels[static_cast<std::size_t>(r)];
-    const double y = static_cast<double>(rays.y[static_cast<std::size_t>(v)]);
+    const int v = rows.pixels[r];
+    const double y = static_cast<double>(rays.y[v]);
     int left = -1, left_segment = -1;  // the candidate before, and its row segment
     for (int c = 0; c < grid.columns; ++c) {
-      const int u = columns.pixels[static_cast<std::size_t>(c)];
+      const int u = columns.pixels[c];
       const int row_window = rows.windowAt(u), column_window = columns.windowAt(v);
       const int row_segment = rows.segment_of[rows.indexOf(r, row_window)];
       const int column_segment = columns.segment_of[columns.indexOf(c, column_window)];
@@ -78,27 +91,21 @@ void CrossingDetector::detect(const ViewRays& rays, const ScanlineSet& rows, con
       if (windows < kMinWindows || row.n < kMinPixels || column.n < kMinPixels) continue;
 
       CrossingCandidate candidate;
-      candidate.moments = momentsOf(row, column, static_cast<double>(rays.x[static_cast<std::size_t>(u)]), y);
-      if (!candidate.moments.fit(candidate.plane, candidate.squared_error)) continue;
-      const double bound =
-          tolerance.at(candidate.moments.rho / candidate.moments.weight, candidate.plane.inverseDistance());
-      const double weight = 1.0 / (bound * bound);
-      candidate.squared_error *= weight;
-      if (!(candidate.squared_error < parameters.patches.patch_flatness * candidate.moments.pixels)) continue;
-      candidate.moments.scale(weight);
+      candidate.moments = momentsOf(row, column, static_cast<double>(rays.x[u]), y);
+      if (!fitWithin(tolerance, parameters.patches.patch_flatness, candidate)) continue;
       candidate.u = u;
       candidate.v = v;
       candidate.cell = grid.indexOf(c, r);
 
       const int index = static_cast<int>(grid.candidates.size());
       grid.candidates.push_back(candidate);
-      grid.candidate_at[static_cast<std::size_t>(candidate.cell)] = index;
+      grid.candidate_at[candidate.cell] = index;
       if (before >= 0 && left_segment == row_segment) grid.links.push_back({before, index});
       left = index;
       left_segment = row_segment;
       if (r == 0) continue;
-      const int above = grid.candidate_at[static_cast<std::size_t>(candidate.cell - grid.columns)];
-      const int window_above = columns.windowAt(rows.pixels[static_cast<std::size_t>(r - 1)]);
+      const int above = grid.candidate_at[candidate.cell - grid.columns];
+      const int window_above = columns.windowAt(rows.pixels[r - 1]);
       if (above >= 0 && columns.segment_of[columns.indexOf(c, window_above)] == column_segment)
         grid.links.push_back({above, index});
     }

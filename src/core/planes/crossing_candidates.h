@@ -37,9 +37,7 @@ struct CandidateGrid {
   std::vector<Link> links;
 
   /// The candidate at a crossing that has one.
-  const CrossingCandidate& candidateAt(int cell) const {
-    return candidates[static_cast<std::size_t>(candidate_at[static_cast<std::size_t>(cell)])];
-  }
+  const CrossingCandidate& candidateAt(int cell) const { return candidates[candidate_at[cell]]; }
   int crossings() const { return columns * rows; }
   double fractionPerCandidate() const { return 1.0 / std::max(1, crossings()); }
   int indexOf(int column, int row) const { return row * columns + column; }

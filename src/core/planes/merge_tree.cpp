@@ -80,10 +80,10 @@ int MergeTree::merge(int a, int b, const FittedPixels& both) {
   node.right = b;
   node.first = first.first;
   node.last = second.last;
-  next_[static_cast<std::size_t>(first.last)] = second.first;
+  next_[first.last] = second.first;
   nodes_.push_back(node);
   parent_.push_back(merged);
-  parent_[static_cast<std::size_t>(a)] = parent_[static_cast<std::size_t>(b)] = merged;
+  parent_[a] = parent_[b] = merged;
   return merged;
 }
 
@@ -96,7 +96,7 @@ void MergeTree::appendCandidates(int i) {
   const int last = node(i).last;
   int candidate = node(i).first;
   listed_.push_back(candidate);
-  while (candidate != last) listed_.push_back(candidate = next_[static_cast<std::size_t>(candidate)]);
+  while (candidate != last) listed_.push_back(candidate = next_[candidate]);
 }
 
 const std::vector<int>& MergeTree::candidatesOf(int i) {

@@ -31,14 +31,14 @@ class MergeTree {
 
   int size() const { return static_cast<int>(nodes_.size()); }
   int leaves() const { return leaves_; }
-  const Node& node(int i) const { return nodes_[static_cast<std::size_t>(i)]; }
-  bool isRoot(int i) const { return parent_[static_cast<std::size_t>(i)] == i; }
+  const Node& node(int i) const { return nodes_[i]; }
+  bool isRoot(int i) const { return parent_[i] == i; }
 
   /// The root above a node.
   int find(int i) {
-    while (parent_[static_cast<std::size_t>(i)] != i) {
-      int& parent = parent_[static_cast<std::size_t>(i)];
-      parent = parent_[static_cast<std::size_t>(parent)];
+    while (parent_[i] != i) {
+      int& parent = parent_[i];
+      parent = parent_[parent];
       i = parent;
     }
     return i;

@@ -30,7 +30,7 @@ constexpr int kFewCandidates = 28;
 bool isNarrow(const std::vector<int>& candidates, const CandidateGrid& grid) {
   int first_column = grid.columns, last_column = 0, first_row = grid.rows, last_row = 0;
   for (const int i : candidates) {
-    const int cell = grid.candidates[static_cast<std::size_t>(i)].cell;
+    const int cell = grid.candidates[i].cell;
     const int column = cell % grid.columns, row = cell / grid.columns;
     first_column = std::min(first_column, column);
     last_column = std::max(last_column, column);
@@ -135,8 +135,8 @@ void PlaneClusterer::addCluster(int i, bool is_plane, const CandidateGrid& grid,
   if (clusters.size() == kMaxClusters) return;
   const std::vector<int>& candidates = tree_.candidatesOf(i);
   for (const int candidate : candidates) {
-    const int cell = grid.candidates[static_cast<std::size_t>(candidate)].cell;
-    cluster_at[static_cast<std::size_t>(cell)] = static_cast<int>(clusters.size());
+    const int cell = grid.candidates[candidate].cell;
+    cluster_at[cell] = static_cast<int>(clusters.size());
   }
   const MergeTree::Node& node = tree_.node(i);
   clusters.push_back({node, node.candidates, node.means, is_plane, is_plane && isNarrow(candidates, grid)});

@@ -42,15 +42,14 @@ void PlaneContinuation::addContact(const ViewRays& rays, const CandidateGrid& gr
                                    const std::vector<PlaneCluster>& clusters,
                                    const std::vector<int>& cluster_at, const DepthTolerance& tolerance,
                                    int cell, int other_cell) {
-  const int a = cluster_at[static_cast<std::size_t>(cell)],
-            b = cluster_at[static_cast<std::size_t>(other_cell)];
+  const int a = cluster_at[cell], b = cluster_at[other_cell];
   if (a == b) return;
   const CrossingCandidate &from = grid.candidateAt(cell), &to = grid.candidateAt(other_cell);
-  const auto x_of = [&rays](int u) { return static_cast<double>(rays.x[static_cast<std::size_t>(u)]); };
-  const auto y_of = [&rays](int v) { return static_cast<double>(rays.y[static_cast<std::size_t>(v)]); };
+  const auto x_of = [&rays](int u) { return static_cast<double>(rays.x[u]); };
+  const auto y_of = [&rays](int v) { return static_cast<double>(rays.y[v]); };
   const double x = 0.5 * (x_of(from.u) + x_of(to.u)), y = 0.5 * (y_of(from.v) + y_of(to.v));
-  const InverseDepthPlane& plane = clusters[static_cast<std::size_t>(a)].plane;
-  const double rho = plane.at(x, y), other_rho = clusters[static_cast<std::size_t>(b)].plane.at(x, y);
+  const InverseDepthPlane& plane = clusters[a].plane;
+  const double rho = plane.at(x, y), other_rho = clusters[b].plane.at(x, y);
   const double mean = 0.5 * (rho + other_rho);
   const double gap = (rho - other_rho) / tolerance.at(mean, plane.inverseDistance());
   const std::uint32_t order = static_cast<std::uint32_t>(contacts_.size());
@@ -93,7 +92,7 @@ void PlaneContinuation::listContacts(const ViewRays& rays, const CandidateGrid& 
   const auto look = [&](int cell, int step, int count) {
     for (int gap = 1; gap <= std::min(count, kMaxGap); ++gap) {
       const int other = cell + gap * step;
-      if (cluster_at[static_cast<std::size_t>(other)] < 0) continue;
+      if (cluster_at[other] < 0) continue;
       addContact(rays, grid, clusters, cluster_at, tolerance, cell, other);
       return;
     }
@@ -101,7 +100,7 @@ void PlaneContinuation::listContacts(const ViewRays& rays, const CandidateGrid& 
   for (int row = 0; row < grid.rows; ++row) {
     for (int column = 0; column < grid.columns; ++column) {
       const int cell = grid.indexOf(column, row);
-      if (cluster_at[static_cast<std::size_t>(cell)] < 0) continue;
+      if (cluster_at[cell] < 0) continue;
       look(cell, 1, grid.columns - 1 - column);
       look(cell, grid.columns, grid.rows - 1 - row);
     }
@@ -114,9 +113,7 @@ void PlaneContinuation::find(const ViewRays& rays, const CandidateGrid& grid,
                              const Parameters& parameters, std::vector<int>& plane_of) {
   listContacts(rays, grid, clusters, cluster_at,
                {parameters.noise, parameters.patches.patch_noise_factor, parameters.patches.patch_distance});
-  const auto cluster = [&clusters](int i) -> const PlaneCluster& {
-    return clusters[static_cast<std::size_t>(i)];
-  };
+  const auto cluster = [&clusters](int i) -> const PlaneCluster& { return clusters[i]; };
   const auto is_larger = [&cluster](int a, int b) {
     return std::tuple(cluster(a).candidates, -a) > std::tuple(cluster(b).candidates, -b);
   };
@@ -126,16 +123,14 @@ void PlaneContinuation::find(const ViewRays& rays, const CandidateGrid& grid,
     int small = static_cast<int>(contact.clusters >> 16), large = static_cast<int>(contact.clusters & 0xFFFF);
     if (is_larger(small, large)) std::swap(small, large);
     if (!cluster(large).is_plane || !isContinued(cluster(small), cluster(large), contact)) continue;
-    int& continued = plane_of[static_cast<std::size_t>(small)];
+    int& continued = plane_of[small];
     if (continued < 0 || is_larger(large, continued)) continued = large;
   }
   // Then the plane at the end of each chain.
   for (int i = 0; i < static_cast<int>(clusters.size()); ++i) {
     int end = i;
-    for (int next = plane_of[static_cast<std::size_t>(end)]; next >= 0 && next != end;
-         next = plane_of[static_cast<std::size_t>(end)])
-      end = next;
-    if (cluster(end).is_plane) plane_of[static_cast<std::size_t>(i)] = end;
+    for (int next = plane_of[end]; next >= 0 && next != end; next = plane_of[end]) end = next;
+    if (cluster(end).is_plane) plane_of[i] = end;
   }
 }
 

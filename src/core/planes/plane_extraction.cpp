@@ -46,10 +46,9 @@ struct PlaneExtractor::Scratch {
     links.resize(remaining.z.size());
     for (int v = 0; v < height; ++v) {
       const bool has_next = v + 1 < height;
-      linkNeighbors(remaining.row(v), has_next ? remaining.row(v + 1) : nullptr, rays.x.data(),
-                    rays.y[static_cast<std::size_t>(v)],
-                    has_next ? rays.y[static_cast<std::size_t>(v + 1)] : 0.0F, width,
-                    neighbor_distance * neighbor_distance, links.data() + remaining.index(0, v));
+      linkNeighbors(remaining.row(v), has_next ? remaining.row(v + 1) : nullptr, rays.x.data(), rays.y[v],
+                    has_next ? rays.y[v + 1] : 0.0F, width, neighbor_distance * neighbor_distance,
+                    links.data() + remaining.index(0, v));
     }
   }
 
@@ -87,7 +86,7 @@ struct PlaneExtractor::Scratch {
     const Eigen::Vector3f normal = candidate.normal.cast<float>();
     int count = 0;
     forEachSpan([&](int v, const TileGrid::Span& span) {
-      const float a = normal.y() * rays.y[static_cast<std::size_t>(v)] + normal.z();
+      const float a = normal.y() * rays.y[v] + normal.z();
       count += countInliers(remaining.row(v) + span.first, rays.x.data() + span.first, span.last - span.first,
                             a, normal.x(), static_cast<float>(candidate.d), plane_distance);
     });
@@ -101,15 +100,15 @@ struct PlaneExtractor::Scratch {
     const int count = last - first;
     std::uint8_t* begins = reinterpret_cast<std::uint8_t*>(boundaries.data());
     markRunBoundaries(mask.data() + first, row_links + first, count, begins);
-    begins[count] = mask[static_cast<std::size_t>(last - 1)];  // what is open at the end ends there
+    begins[count] = mask[last - 1];  // what is open at the end ends there
     std::fill(begins + count + 1, begins + (count / 8 + 1) * 8, std::uint8_t{0});
     int open = -1;
     for (int word = 0; word <= count / 8; ++word) {
-      if (boundaries[static_cast<std::size_t>(word)] == 0) continue;
+      if (boundaries[word] == 0) continue;
       for (int i = word * 8; i < word * 8 + 8; ++i) {
         if (begins[i] == 0) continue;
         if (open >= 0) components.add({v, first + open, first + i}, links_above);
-        open = i < count && mask[static_cast<std::size_t>(first + i)] != 0 ? i : -1;
+        open = i < count && mask[first + i] != 0 ? i : -1;
       }
     }
   }
@@ -121,7 +120,7 @@ struct PlaneExtractor::Scratch {
     const float d = static_cast<float>(candidate.d);
     components.clear();
     forEachSpan([&](int v, const TileGrid::Span& span) {
-      const float a = normal.y() * rays.y[static_cast<std::size_t>(v)] + normal.z();
+      const float a = normal.y() * rays.y[v] + normal.z();
       markInliers(remaining.row(v) + span.first, rays.x.data() + span.first, span.last - span.first, a,
                   normal.x(), d, plane_distance, mask.data() + span.first);
       addRuns(v, span.first, span.last);
@@ -170,7 +169,7 @@ int PlaneExtractor::extract(const DepthImage& depth, const ViewRays& rays,
     std::pop_heap(queue.begin(), queue.end(), goesLater);
     Entry entry = queue.back();
     queue.pop_back();
-    const PlaneCandidate& candidate = candidates[static_cast<std::size_t>(entry.candidate)];
+    const PlaneCandidate& candidate = candidates[entry.candidate];
 
     if (entry.round != round) entry.kind = Bound::kStale;
     entry.round = round;

@@ -28,9 +28,9 @@ void RunComponents::clear() {
 }
 
 int RunComponents::find(int run) {
-  while (parent_[static_cast<std::size_t>(run)] != run) {
-    int& parent = parent_[static_cast<std::size_t>(run)];
-    parent = parent_[static_cast<std::size_t>(parent)];
+  while (parent_[run] != run) {
+    int& parent = parent_[run];
+    parent = parent_[parent];
     run = parent;
   }
   return run;
@@ -50,16 +50,14 @@ void RunComponents::add(const PixelRun& run, const std::uint8_t* links_above) {
   pixels_.push_back(run.last - run.first);
   if (links_above == nullptr) return;
 
-  while (above_begin_ < above_end_ && runs_[static_cast<std::size_t>(above_begin_)].last <= run.first)
-    ++above_begin_;
-  for (int above = above_begin_;
-       above < above_end_ && runs_[static_cast<std::size_t>(above)].first < run.last; ++above) {
-    if (!touches(runs_[static_cast<std::size_t>(above)], run, links_above)) continue;
+  while (above_begin_ < above_end_ && runs_[above_begin_].last <= run.first) ++above_begin_;
+  for (int above = above_begin_; above < above_end_ && runs_[above].first < run.last; ++above) {
+    if (!touches(runs_[above], run, links_above)) continue;
     int a = find(above), b = find(index);
     if (a == b) continue;
     if (a > b) std::swap(a, b);
-    parent_[static_cast<std::size_t>(b)] = a;
-    pixels_[static_cast<std::size_t>(a)] += pixels_[static_cast<std::size_t>(b)];
+    parent_[b] = a;
+    pixels_[a] += pixels_[b];
   }
 }
 

@@ -23,7 +23,7 @@ class RunComponents {
   /// The component of the run that holds pixel (u, v), or -1 if none does.
   int componentAt(int u, int v);
 
-  int pixelCount(int component) const { return pixels_[static_cast<std::size_t>(component)]; }
+  int pixelCount(int component) const { return pixels_[component]; }
 
   /// The runs of a component, from the top.
   const std::vector<PixelRun>& runsOf(int component);

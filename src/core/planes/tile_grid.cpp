@@ -41,10 +41,8 @@ bool TileGrid::mayHoldInlier(const ViewRays& rays, const Eigen::Vector3f& normal
   const std::size_t t = static_cast<std::size_t>(tile);
   if (pixels_[t] == 0) return false;
   const int u0 = (tile % columns_) * kSide, v0 = (tile / columns_) * kSide;
-  const float x[2] = {rays.x[static_cast<std::size_t>(u0)],
-                      rays.x[static_cast<std::size_t>(std::min(u0 + kSide, width_) - 1)]};
-  const float y[2] = {rays.y[static_cast<std::size_t>(v0)],
-                      rays.y[static_cast<std::size_t>(std::min(v0 + kSide, height_) - 1)]};
+  const float x[2] = {rays.x[u0], rays.x[std::min(u0 + kSide, width_) - 1]};
+  const float y[2] = {rays.y[v0], rays.y[std::min(v0 + kSide, height_) - 1]};
   // n . p = z (n . ray) is linear in z, x and y each, so its extremes lie at the corners of the tile's box.
   float low = std::numeric_limits<float>::max(), high = std::numeric_limits<float>::lowest();
   for (const float xi : x) {
@@ -66,10 +64,10 @@ int TileGrid::boundInliers(const ViewRays& rays, const Eigen::Vector3f& normal, 
   stack_.clear();
   int bound = 0;
   const auto visit = [&](int tile) {
-    std::uint8_t& reached = reached_[static_cast<std::size_t>(tile)];
+    std::uint8_t& reached = reached_[tile];
     if (reached != 0 || !mayHoldInlier(rays, normal, d, threshold, tile)) return;
     reached = 1;
-    bound += pixels_[static_cast<std::size_t>(tile)];
+    bound += pixels_[tile];
     stack_.push_back(tile);
   };
   visit(static_cast<int>(tileOf(u, v)));

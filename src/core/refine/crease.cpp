@@ -28,15 +28,14 @@ void Creases::find(const ViewRays& rays, const CandidateGrid& grid, const std::v
   votes_.assign(count_ * count_, 0);
   const auto isNearer = [&](int cell, int cluster, int other) {
     const CrossingCandidate& candidate = grid.candidateAt(cell);
-    const double x = static_cast<double>(rays.x[static_cast<std::size_t>(candidate.u)]);
-    const double y = static_cast<double>(rays.y[static_cast<std::size_t>(candidate.v)]);
-    return clusters[static_cast<std::size_t>(cluster)].plane.at(x, y) >
-           clusters[static_cast<std::size_t>(other)].plane.at(x, y);
+    const double x = static_cast<double>(rays.x[candidate.u]);
+    const double y = static_cast<double>(rays.y[candidate.v]);
+    return clusters[cluster].plane.at(x, y) > clusters[other].plane.at(x, y);
   };
   // At a candidate its own plane is the nearer one at a concave edge, the farther one at a convex edge.
   const auto compare = [&](int cell, int neighbor) {
-    const int cluster = cluster_at[static_cast<std::size_t>(cell)];
-    const int other = cluster_at[static_cast<std::size_t>(neighbor)];
+    const int cluster = cluster_at[cell];
+    const int other = cluster_at[neighbor];
     if (cluster == other || cluster < 0 || other < 0) return;
     vote(cluster, other, isNearer(cell, cluster, other) ? 1 : -1);
     vote(cluster, other, isNearer(neighbor, other, cluster) ? 1 : -1);

@@ -34,16 +34,16 @@ void PixelAssigner::findSpans(const CandidateGrid& grid, const std::vector<int>&
     for (const int* clusters : rows) {
       const int cluster = clusters[c];
       if (cluster < 0) continue;
-      int& open = open_span_[static_cast<std::size_t>(cluster)];
-      if (open >= 0 && spans_[static_cast<std::size_t>(open)].last >= first) {
-        spans_[static_cast<std::size_t>(open)].last = last;
+      int& open = open_span_[cluster];
+      if (open >= 0 && spans_[open].last >= first) {
+        spans_[open].last = last;
       } else {
         open = static_cast<int>(spans_.size());
         spans_.push_back({cluster, first, last});
       }
     }
   }
-  for (const Span& span : spans_) open_span_[static_cast<std::size_t>(span.cluster)] = -1;
+  for (const Span& span : spans_) open_span_[span.cluster] = -1;
 }
 
 void PixelAssigner::assignSpans(const std::vector<PlaneCluster>& clusters, const float* z,
@@ -69,8 +69,8 @@ void PixelAssigner::intersectPlanes(const std::vector<PlaneCluster>& clusters, c
     const int first = std::max(a.first, b.first), last = std::min(a.last, b.last);
     if (a.cluster == b.cluster || first >= last) return;
     const CreaseType crease = creases_.between(a.cluster, b.cluster);
-    const InverseDepthPlane& plane = clusters[static_cast<std::size_t>(a.cluster)].plane;
-    const InverseDepthPlane& other = clusters[static_cast<std::size_t>(b.cluster)].plane;
+    const InverseDepthPlane& plane = clusters[a.cluster].plane;
+    const InverseDepthPlane& other = clusters[b.cluster].plane;
     // The difference of their inverse depths grows by this from column to column.
     const double slope = (plane.a - other.a) * x_step;
     if (crease == CreaseType::kNone || slope == 0.0) return;
@@ -103,7 +103,7 @@ void PixelAssigner::splitAtCreases(double y) {
     if (!(begin <= end)) continue;
     const int last = static_cast<int>(end);
     for (int u = static_cast<int>(std::ceil(begin)); u <= last; ++u) {
-      std::uint16_t& label = label_[static_cast<std::size_t>(u)];
+      std::uint16_t& label = label_[u];
       const bool is_of_these = (label == line.left) | (label == line.right);
       const std::uint16_t side = u < at ? line.left : line.right;
       label = is_of_these ? side : label;
@@ -117,7 +117,7 @@ bool PixelAssigner::isLikeNeighbors(const float* z, const LabelRun& before, cons
   const float expected = 0.5F * (1.0F / z[before.last - 1] + 1.0F / z[after.first]);
   bool is_like = true;
   for (int u = speckle.first; u < speckle.last; ++u) {
-    const float error = std::fabs(1.0F - z[u] * expected) * depth_over_noise_[static_cast<std::size_t>(u)];
+    const float error = std::fabs(1.0F - z[u] * expected) * depth_over_noise_[u];
     is_like &= !(error > kMaxSpeckleError);
   }
   return is_like;
@@ -150,7 +150,7 @@ void PixelAssigner::assign(const DepthImage& depth, const ViewRays& rays, const 
   intersections_.clear();
   for (int v = 0, row = -1; v < depth.height; ++v) {
     const int tile_row = std::min(v / grid.spacing, grid.rows - 1);
-    const double y = static_cast<double>(rays.y[static_cast<std::size_t>(v)]);
+    const double y = static_cast<double>(rays.y[v]);
     if (tile_row != row) {
       findSpans(grid, cluster_at, tile_row, depth.width);
       intersectPlanes(clusters, rays, y, crease_tolerance);

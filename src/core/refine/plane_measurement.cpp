@@ -43,8 +43,7 @@ void PlaneMeasurement::sumLabels(const DepthImage& depth, const ViewRays& rays, 
     if (run.label == 0) continue;
     const float* z = depth.row(run.row) + run.first;
     PixelSums& sums = sums_[run.label];
-    addRun(z, ray_x_.data() + run.first, static_cast<double>(rays.y[static_cast<std::size_t>(run.row)]),
-           run.pixels(), sums);
+    addRun(z, ray_x_.data() + run.first, static_cast<double>(rays.y[run.row]), run.pixels(), sums);
     if (has_invalid) sums.pixels -= static_cast<double>(std::count(z, z + run.pixels(), 0.0F));
   }
 }

@@ -35,7 +35,7 @@ int countTouching(const float* z, const float* other, int count, const DepthTole
 
 // Nearly all runs are the first of their piece or hang under it: to both the loop is the same.
 int RegionCleaner::find(int run) {
-  const auto parentOf = [this](int r) -> int& { return component_of_run_[static_cast<std::size_t>(r)]; };
+  const auto parentOf = [this](int r) -> int& { return component_of_run_[r]; };
   int parent = parentOf(run);
   while (parentOf(parent) != parent) {
     parentOf(run) = parentOf(parent);
@@ -56,7 +56,7 @@ void RegionCleaner::connect(const LabelRuns& image) {
     addBorderIf((label != label_below) & have_depth, {static_cast<int>(above), static_cast<int>(below)});
     if (label != label_below || !have_depth) return;
     const int a = find(static_cast<int>(above)), b = find(static_cast<int>(below));
-    component_of_run_[static_cast<std::size_t>(std::max(a, b))] = std::min(a, b);
+    component_of_run_[std::max(a, b)] = std::min(a, b);
   });
 }
 
@@ -85,7 +85,7 @@ void RegionCleaner::numberComponents(const LabelRuns& image) {
 
 void RegionCleaner::measureComponents(int min_region_pixels, const LabelRuns& image) {
   for (std::size_t i = 0; i < component_of_run_.size(); ++i) {
-    Component& piece = components_[static_cast<std::size_t>(component_of_run_[i])];
+    Component& piece = components_[component_of_run_[i]];
     piece.label = image.runs[i].label;
     piece.pixels += image.runs[i].pixels();
   }
@@ -122,8 +122,8 @@ void RegionCleaner::findContacts(const DepthImage& depth, const Parameters& para
   const DepthTolerance tolerance{parameters.noise, kMaxStep * parameters.extraction.distance_noise_factor};
   for (std::size_t k = 0; k < border_count_; ++k) {
     const Border border = borders_[k];
-    const LabelRun& a = image.runs[static_cast<std::size_t>(border.first)];
-    const LabelRun& b = image.runs[static_cast<std::size_t>(border.second)];
+    const LabelRun& a = image.runs[border.first];
+    const LabelRun& b = image.runs[border.second];
     const bool are_beside = a.row == b.row;
     const int first = std::max(a.first, b.first);
     const int length = are_beside ? 1 : std::min(a.last, b.last) - first;
@@ -132,8 +132,7 @@ void RegionCleaner::findContacts(const DepthImage& depth, const Parameters& para
     const bool a_is_small = componentOf(border.first).size == kSmall;
     const int small = a_is_small ? border.first : border.second;
     componentOf(small).majority_margin -= length;
-    contacts_.push_back(
-        {component_of_run_[static_cast<std::size_t>(small)], a_is_small ? b.label : a.label, touching});
+    contacts_.push_back({component_of_run_[small], a_is_small ? b.label : a.label, touching});
   }
 }
 
@@ -143,14 +142,14 @@ void RegionCleaner::chooseMergeTargets() {
   // Boyer and Moore's vote: a label that has more than half vote_counts in the end. Factors stand for
   // branches, which would be mispredicted.
   for (const Contact& contact : contacts_) {
-    Component& piece = components_[static_cast<std::size_t>(contact.piece)];
+    Component& piece = components_[contact.piece];
     const int sign = 2 * static_cast<int>(contact.label == piece.target_label) - 1;
     const int vote_count = piece.vote_count + sign * contact.length;
     piece.target_label = vote_count < 0 ? contact.label : piece.target_label;
     piece.vote_count = std::abs(vote_count);
   }
   for (const Contact& contact : contacts_) {
-    Component& piece = components_[static_cast<std::size_t>(contact.piece)];
+    Component& piece = components_[contact.piece];
     piece.majority_margin += 2 * contact.length * static_cast<int>(contact.label == piece.target_label);
   }
   for (Component& piece : components_) {
@@ -171,14 +170,14 @@ void RegionCleaner::rejectDistantTargets(const DepthImage& depth, const ViewRays
     if (target_label == 0) continue;
     const LabelRun& run = image.runs[i];
     const InverseDepthPlane& plane = clusters[target_label - 1U].plane;
-    const double y = rays.y[static_cast<std::size_t>(run.row)];
+    const double y = rays.y[run.row];
     const double across = parameters.extraction.plane_distance * plane.inverseDistance();
     const float* z_of = depth.row(run.row);
     double error = errors_[piece];
     for (int u = run.first; u < run.last; ++u) {
       // The error in inverse depth over DepthTolerance::at(), both times z², which leaves one division.
       const double z = z_of[u], beyond = z - noise.nearest;
-      const double expected = plane.at(rays.x[static_cast<std::size_t>(u)], y);
+      const double expected = plane.at(rays.x[u], y);
       const double tolerance = std::max(factor * (noise.floor + noise.growth * beyond * beyond), across * z);
       error += std::fabs(z - z * z * expected) / tolerance;
     }
@@ -198,17 +197,16 @@ int RegionCleaner::renumber(int min_plane_inliers, int label_count) {
   }
   order_.clear();
   for (int label = 1; label <= label_count; ++label) {
-    const int pixels = label_pixels_[static_cast<std::size_t>(label)];
+    const int pixels = label_pixels_[label];
     if (pixels > 0 && pixels >= min_plane_inliers) order_.push_back(label);
   }
   std::sort(order_.begin(), order_.end(), [this](int a, int b) {
-    const int pa = label_pixels_[static_cast<std::size_t>(a)],
-              pb = label_pixels_[static_cast<std::size_t>(b)];
+    const int pa = label_pixels_[a], pb = label_pixels_[b];
     return pa != pb ? pa > pb : a < b;
   });
   new_label_.assign(label_pixels_.size(), 0);
   for (std::size_t i = 0; i < order_.size(); ++i) {
-    new_label_[static_cast<std::size_t>(order_[i])] = static_cast<std::uint16_t>(i + 1);
+    new_label_[order_[i]] = static_cast<std::uint16_t>(i + 1);
   }
   for (Component& piece : components_) piece.label = new_label_[piece.label];
   return static_cast<int>(order_.size());
@@ -227,7 +225,7 @@ int RegionCleaner::clean(const DepthImage& depth, const ViewRays& rays,
   const int plane_count =
       renumber(parameters.extraction.min_plane_inliers, static_cast<int>(clusters.size()));
   for (std::size_t i = 0; i < image.runs.size(); ++i) {
-    image.runs[i].label = components_[static_cast<std::size_t>(component_of_run_[i])].label;
+    image.runs[i].label = components_[component_of_run_[i]].label;
   }
   image.join();
   return plane_count;

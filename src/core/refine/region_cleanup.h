@@ -23,7 +23,7 @@ class RegionCleaner {
             const Parameters& parameters, LabelRuns& image);
 
   /// The cluster of a label of the image last cleaned.
-  int clusterOf(int label) const { return order_[static_cast<std::size_t>(label - 1)] - 1; }
+  int clusterOf(int label) const { return order_[label - 1] - 1; }
 
  private:
   /// Pieces without depth border on nothing; only small ones may go to an target_label.
@@ -51,9 +51,7 @@ class RegionCleaner {
   };
 
   int find(int run);
-  Component& componentOf(int run) {
-    return components_[static_cast<std::size_t>(component_of_run_[static_cast<std::size_t>(run)])];
-  }
+  Component& componentOf(int run) { return components_[component_of_run_[run]]; }
   void connect(const LabelRuns& image);
   void growBorders();
   /// All are stored and the right ones counted: a branch would be mispredicted.
