@@ -182,7 +182,7 @@ TEST_F(RowKernels, AppendMarked) {
       marks[static_cast<std::size_t>(i)] = random_.chance(fraction) ? 1 : 0;
       if (marks[static_cast<std::size_t>(i)] != 0) expected.push_back(i);
     }
-    for (const auto append : {appendMarked, scalar::appendMarked}) {
+    for (const auto append : {compactIndices, scalar::compactIndices}) {
       std::vector<int> columns(expected.size() + kSpareColumns, -1);
       const int* const end = append(marks.data(), row.count, columns.data() + 1);
       ASSERT_EQ(end - columns.data(), static_cast<std::ptrdiff_t>(expected.size()));

@@ -14,7 +14,7 @@ decltype(::line_plane_segmentation::countInliers) countInliers;
 decltype(::line_plane_segmentation::markRunBoundaries) markRunBoundaries;
 decltype(::line_plane_segmentation::linkNeighbors) linkNeighbors;
 decltype(::line_plane_segmentation::markChanges) markChanges;
-decltype(::line_plane_segmentation::appendMarked) appendMarked;
+decltype(::line_plane_segmentation::compactIndices) compactIndices;
 decltype(::line_plane_segmentation::prepareRow) prepareRow;
 decltype(::line_plane_segmentation::assignIfBetter) assignIfBetter;
 decltype(::line_plane_segmentation::addRun) addRun;

@@ -130,7 +130,7 @@ void markChanges(const std::uint16_t* __restrict labels, int count, std::uint8_t
 // Branches that depend on the picture are mispredicted half of the time. So a few columns of each block are
 // stored whether they are marked or not, which is mostly enough, and the marked ones are counted.
 LPS_MULTIVERSION
-int* appendMarked(const std::uint8_t* marks, int count, int* columns) {
+int* compactIndices(const std::uint8_t* marks, int count, int* columns) {
   using Word = std::uint64_t;
   constexpr int kMarks = sizeof(Word);
   constexpr Word kLast = Word{1} << (kMarkBlock - 1);

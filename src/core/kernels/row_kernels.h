@@ -50,7 +50,7 @@ constexpr int kSpareColumns = 4;  ///< so many columns may be written behind the
 /// Appends to `columns` the i from 0 to count - 1 where marks[i] is 1, in order; the others are 0, also those
 /// behind them up to a whole number of blocks.
 /// @return the end of what was appended
-int* appendMarked(const std::uint8_t* marks, int count, int* columns);
+int* compactIndices(const std::uint8_t* marks, int count, int* columns);
 
 /// The noise model times a factor: floor and growth are multiplied by it.
 struct RowNoise {

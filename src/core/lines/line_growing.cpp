@@ -24,12 +24,12 @@ constexpr int kMaxHole = 3;  // [windows] a segment continues after a hole one w
 
 }  // namespace
 
-void LineGrower::listWindows(const ScanlineSet& set, int scanline, double across,
+void LineGrower::listWindows(const ScanlineSet& set, int scanline, double orthogonal_ray,
                              const Parameters& parameters) {
   const DepthTolerance tolerance{parameters.noise, parameters.patches.patch_noise_factor,
                                  parameters.patches.patch_distance};
   // The plane through the line that comes nearest to the camera is as far away as the line is in its scan.
-  const double inv_k2 = 1.0 / (1.0 + across * across);
+  const double inv_k2 = 1.0 / (1.0 + orthogonal_ray * orthogonal_ray);
   nodes_.clear();
   for (int i = 0; i < set.windows; ++i) {
     const LineSums& sums = set.sums[set.indexOf(scanline, i)];
@@ -64,11 +64,12 @@ void LineGrower::mergeNeighbors(double fraction) {
   nodes_.resize(kept);
 }
 
-void LineGrower::grow(const std::vector<float>& across, const Parameters& parameters, ScanlineSet& set) {
+void LineGrower::grow(const std::vector<float>& orthogonal_ray, const Parameters& parameters,
+                      ScanlineSet& set) {
   set.segments.clear();
   set.segment_of.assign(set.sums.size(), -1);
   for (int k = 0; k < set.count(); ++k) {
-    listWindows(set, k, across[set.pixels[k]], parameters);
+    listWindows(set, k, orthogonal_ray[set.pixels[k]], parameters);
     // What is most alike grows together before anything doubtful is compared.
     for (const double fraction : {1.0 / 8, 1.0, 1.0}) mergeNeighbors(fraction);
     for (const Node& node : nodes_) {

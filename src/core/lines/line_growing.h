@@ -21,8 +21,8 @@ constexpr double kMinLinePixels = 2.0;
 class LineGrower {
  public:
   /// Fills `segments` and `segment_of` of a set whose windows are summed.
-  /// @param across  ray coordinates across the scanlines: ViewRays::y for rows, ViewRays::x for columns
-  void grow(const std::vector<float>& across, const Parameters& parameters, ScanlineSet& set);
+  /// @param orthogonal_ray  ray coordinate of each row (ViewRays::y) or of each column (ViewRays::x)
+  void grow(const std::vector<float>& orthogonal_ray, const Parameters& parameters, ScanlineSet& set);
 
  private:
   /// A segment while it grows. A window that is not straight has last = -1 and separates its neighbours.
@@ -32,7 +32,7 @@ class LineGrower {
     double squared_error, tolerance2;
   };
 
-  void listWindows(const ScanlineSet& set, int scanline, double across, const Parameters& parameters);
+  void listWindows(const ScanlineSet& set, int scanline, double orthogonal_ray, const Parameters& parameters);
   void mergeNeighbors(double fraction);
 
   std::vector<Node> nodes_;  // of one scanline

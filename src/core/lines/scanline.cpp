@@ -13,8 +13,8 @@ void projectScanline(const DepthImage& depth, const CameraIntrinsics& camera, Sc
   const int count = is_row ? depth.width : depth.height;
   const double along_focal = is_row ? camera.fx : camera.fy;
   const double along_centre = is_row ? camera.cx : camera.cy;
-  const double across = is_row ? (index - camera.cy) / camera.fy : (index - camera.cx) / camera.fx;
-  const double k = std::sqrt(across * across + 1.0);  // Eq. 3
+  const double orthogonal_ray = is_row ? (index - camera.cy) / camera.fy : (index - camera.cx) / camera.fx;
+  const double k = std::sqrt(orthogonal_ray * orthogonal_ray + 1.0);  // Eq. 3
   const float* z = depth.z.data() + (is_row ? depth.index(0, index) : depth.index(index, 0));
   const std::size_t stride = is_row ? 1 : static_cast<std::size_t>(depth.width);
 

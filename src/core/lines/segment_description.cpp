@@ -9,9 +9,9 @@ namespace {
 
 // The polar form of a line rho = slope t + offset, and its covariance. In the scan (Eq. 1-3) Sy = t z and
 // Sx = k z, so that it is the line slope Sy + (offset / k) Sx = 1.
-void setPolarForm(const GrownSegment& grown, double across, LineSegment& segment) {
+void setPolarForm(const GrownSegment& grown, double orthogonal_ray, LineSegment& segment) {
   const InverseDepthLine line = fitInverseDepthLine(grown.sums);
-  const double k = std::sqrt(across * across + 1.0);
+  const double k = std::sqrt(orthogonal_ray * orthogonal_ray + 1.0);
   const double p = line.slope, q = line.offset / k, square = p * p + q * q;
   segment.alpha = std::atan2(p, q);
   segment.r = 1.0 / std::sqrt(square);
@@ -52,8 +52,8 @@ void describeSegments(const DepthImage& depth, const ViewRays& rays, const Scanl
         ++segment.points;
       }
     }
-    const std::vector<float>& across = is_row ? rays.y : rays.x;
-    setPolarForm(grown, static_cast<double>(across[segment.scanline]), segment);
+    const std::vector<float>& orthogonal_ray = is_row ? rays.y : rays.x;
+    setPolarForm(grown, static_cast<double>(orthogonal_ray[segment.scanline]), segment);
     segments.push_back(segment);
   }
 }

@@ -35,7 +35,7 @@ void LabelRuns::addRow(const std::uint16_t* labels, int width) {
     changes_.assign(columns + kMarkBlock, 0);
   }
   markChanges(labels, width, changes_.data());
-  const int* const end = appendMarked(changes_.data(), width, columns_.data());
+  const int* const end = compactIndices(changes_.data(), width, columns_.data());
   // Grown by a quarter and not to twice the size: a cluttered VGA image has 100,000 runs.
   const std::size_t needed = runs.size() + static_cast<std::size_t>(end - columns_.data()) + 1;
   if (needed > runs.capacity()) runs.reserve(needed + runs.size() / 4);

@@ -9,13 +9,15 @@
 namespace line_plane_segmentation {
 namespace {
 
-constexpr double kMaxMeanError =
-    2.0;  // [-] in tolerances; a piece farther from the plane around it is not of it
+// [tolerances] Mean distance up to which a small component is merged into the plane around it.
+constexpr double kMaxMeanError = 2.0;
 
-// Where a plane of the sensor's bends, as it does in the corners of the picture, pixels in no plane lie
-// beside it without a step, in larger pieces than noise makes.
-constexpr int kMaxGapRegions = 8;  // [-] in min_region_pixels; a larger piece in no plane stays in none
-constexpr double kMaxStep = 1.0;   // [-] in tolerances along the ray; neighbours farther apart do not touch
+// [min_region_pixels] Size up to which a component without a plane is merged. Sensor distortion, largest in
+// the corners of the image, leaves larger gaps beside a plane than noise does, without a depth step.
+constexpr int kMaxGapRegions = 8;
+
+// [tolerances] Difference along the ray above which neighbouring pixels do not touch.
+constexpr double kMaxStep = 1.0;
 
 // How many of two rows' pixels lie at the same depth: their inverse depths differ by less than the tolerance
 // of the farther one. Multiplied by both depths and by the farther one, that takes no division.
@@ -33,7 +35,7 @@ int countTouching(const float* z, const float* other, int count, const DepthTole
 
 }  // namespace
 
-// Nearly all runs are the first of their piece or hang under it: to both the loop is the same.
+// The root of a run's component. Most runs are a root or the child of one, for which the loop ends at once.
 int RegionCleaner::find(int run) {
   const auto parentOf = [this](int r) -> int& { return component_of_run_[r]; };
   int parent = parentOf(run);
@@ -66,18 +68,19 @@ void RegionCleaner::growBorders() {
   borders_.resize(borders_.capacity());
 }
 
-// Numbers the pieces, from 1 on; 0 is of all runs without depth. Factors stand for branches.
+// Numbers the components from 1; 0 stands for all runs without depth. Factors replace branches, which would
+// be mispredicted.
 void RegionCleaner::numberComponents(const LabelRuns& image) {
   int count = 1;
   for (std::size_t i = 0; i < component_of_run_.size(); ++i) {
-    // A run hangs under an earlier one, which has its number, or is the first of a piece and has the next.
+    // The parent is an earlier run, which is numbered, or the run itself, which starts the next component.
     const std::size_t parent = static_cast<std::size_t>(component_of_run_[i]);
     component_of_run_[i] = count;
     const int has_depth = image.runs[i].label != kNoDepthLabel ? 1 : 0;
     component_of_run_[i] = has_depth * component_of_run_[parent];
     count += parent == i ? has_depth : 0;
   }
-  // Clutter has nearly as many pieces as runs: no more memory than they need, and none for both old and new.
+  // Clutter has nearly as many components as runs: the old memory is freed before the new is allocated.
   components_.clear();
   if (components_.capacity() < static_cast<std::size_t>(count)) std::vector<Component>().swap(components_);
   components_.resize(static_cast<std::size_t>(count));
@@ -85,19 +88,20 @@ void RegionCleaner::numberComponents(const LabelRuns& image) {
 
 void RegionCleaner::measureComponents(int min_region_pixels, const LabelRuns& image) {
   for (std::size_t i = 0; i < component_of_run_.size(); ++i) {
-    Component& piece = components_[component_of_run_[i]];
-    piece.label = image.runs[i].label;
-    piece.pixels += image.runs[i].pixels();
+    Component& component = components_[component_of_run_[i]];
+    component.label = image.runs[i].label;
+    component.pixels += image.runs[i].pixels();
   }
   const std::int64_t min_gap_pixels = std::int64_t{kMaxGapRegions} * min_region_pixels;
-  for (Component& piece : components_) {
-    piece.size = piece.pixels < (piece.label == 0 ? min_gap_pixels : min_region_pixels) ? kSmall : kLarge;
+  for (Component& component : components_) {
+    component.size =
+        component.pixels < (component.label == 0 ? min_gap_pixels : min_region_pixels) ? kSmall : kLarge;
   }
   components_.front().label = 0;
   components_.front().size = kNoDepth;
 }
 
-// Keeps of the borders those between small and large pieces, and adds those within the rows.
+// Keeps the borders between small and large components, and adds those within rows.
 void RegionCleaner::listBordersOfSmall(const LabelRuns& image) {
   const auto isOfSmall = [this](int i, int j) {
     return (componentOf(i).size | componentOf(j).size) == (kSmall | kLarge);
@@ -115,7 +119,7 @@ void RegionCleaner::listBordersOfSmall(const LabelRuns& image) {
   }
 }
 
-// Where small pieces touch large ones.
+// Where small components touch large ones.
 void RegionCleaner::findContacts(const DepthImage& depth, const Parameters& parameters,
                                  const LabelRuns& image) {
   contacts_.clear();
@@ -136,28 +140,29 @@ void RegionCleaner::findContacts(const DepthImage& depth, const Parameters& para
   }
 }
 
-// The label that more than half of a small piece's border touches, or 0: no plane. What lies behind a step
-// touches nothing.
+// Chooses the label that more than half of a small component's border touches, or 0 for no plane. Pixels
+// behind a depth step do not touch.
 void RegionCleaner::chooseMergeTargets() {
   // Boyer and Moore's vote: a label that has more than half vote_counts in the end. Factors stand for
   // branches, which would be mispredicted.
   for (const Contact& contact : contacts_) {
-    Component& piece = components_[contact.piece];
-    const int sign = 2 * static_cast<int>(contact.label == piece.target_label) - 1;
-    const int vote_count = piece.vote_count + sign * contact.length;
-    piece.target_label = vote_count < 0 ? contact.label : piece.target_label;
-    piece.vote_count = std::abs(vote_count);
+    Component& component = components_[contact.component];
+    const int sign = 2 * static_cast<int>(contact.label == component.target_label) - 1;
+    const int vote_count = component.vote_count + sign * contact.length;
+    component.target_label = vote_count < 0 ? contact.label : component.target_label;
+    component.vote_count = std::abs(vote_count);
   }
   for (const Contact& contact : contacts_) {
-    Component& piece = components_[contact.piece];
-    piece.majority_margin += 2 * contact.length * static_cast<int>(contact.label == piece.target_label);
+    Component& component = components_[contact.component];
+    component.majority_margin +=
+        2 * contact.length * static_cast<int>(contact.label == component.target_label);
   }
-  for (Component& piece : components_) {
-    if (piece.majority_margin <= 0) piece.target_label = 0;
+  for (Component& component : components_) {
+    if (component.majority_margin <= 0) component.target_label = 0;
   }
 }
 
-// A small piece goes to its target_label only if its pixels lie near that plane.
+// A small component goes to its target_label only if its pixels lie near that plane.
 void RegionCleaner::rejectDistantTargets(const DepthImage& depth, const ViewRays& rays,
                                          const std::vector<PlaneCluster>& clusters,
                                          const Parameters& parameters, const LabelRuns& image) {
@@ -165,35 +170,36 @@ void RegionCleaner::rejectDistantTargets(const DepthImage& depth, const ViewRays
   const double factor = parameters.extraction.distance_noise_factor;
   errors_.assign(components_.size(), 0.0);
   for (std::size_t i = 0; i < image.runs.size(); ++i) {
-    const std::size_t piece = static_cast<std::size_t>(component_of_run_[i]);
-    const std::uint16_t target_label = components_[piece].target_label;
+    const std::size_t component = static_cast<std::size_t>(component_of_run_[i]);
+    const std::uint16_t target_label = components_[component].target_label;
     if (target_label == 0) continue;
     const LabelRun& run = image.runs[i];
     const InverseDepthPlane& plane = clusters[target_label - 1U].plane;
     const double y = rays.y[run.row];
-    const double across = parameters.extraction.plane_distance * plane.inverseDistance();
+    const double orthogonal_tolerance = parameters.extraction.plane_distance * plane.inverseDistance();
     const float* z_of = depth.row(run.row);
-    double error = errors_[piece];
+    double error = errors_[component];
     for (int u = run.first; u < run.last; ++u) {
       // The error in inverse depth over DepthTolerance::at(), both times z², which leaves one division.
       const double z = z_of[u], beyond = z - noise.nearest;
       const double expected = plane.at(rays.x[u], y);
-      const double tolerance = std::max(factor * (noise.floor + noise.growth * beyond * beyond), across * z);
+      const double tolerance =
+          std::max(factor * (noise.floor + noise.growth * beyond * beyond), orthogonal_tolerance * z);
       error += std::fabs(z - z * z * expected) / tolerance;
     }
-    errors_[piece] = error;
+    errors_[component] = error;
   }
   for (std::size_t i = 0; i < components_.size(); ++i) {
     if (errors_[i] > kMaxMeanError * components_[i].pixels) components_[i].target_label = 0;
   }
 }
 
-// What the pieces come to, by their new labels; then those of the planes that are left.
+// Merges small components, removes planes that are too small, and numbers the others by size.
 int RegionCleaner::renumber(int min_plane_inliers, int label_count) {
   label_pixels_.assign(static_cast<std::size_t>(label_count) + 1, 0);
-  for (Component& piece : components_) {
-    if (piece.size == kSmall) piece.label = piece.target_label;
-    label_pixels_[piece.label] += piece.pixels;
+  for (Component& component : components_) {
+    if (component.size == kSmall) component.label = component.target_label;
+    label_pixels_[component.label] += component.pixels;
   }
   order_.clear();
   for (int label = 1; label <= label_count; ++label) {
@@ -208,7 +214,7 @@ int RegionCleaner::renumber(int min_plane_inliers, int label_count) {
   for (std::size_t i = 0; i < order_.size(); ++i) {
     new_label_[order_[i]] = static_cast<std::uint16_t>(i + 1);
   }
-  for (Component& piece : components_) piece.label = new_label_[piece.label];
+  for (Component& component : components_) component.label = new_label_[component.label];
   return static_cast<int>(order_.size());
 }
 

@@ -11,10 +11,11 @@
 
 namespace line_plane_segmentation {
 
-/// Refinement: tidies a label image. A connected piece of fewer than min_region_pixels, or of eight times as
-/// many if it is of no plane, becomes part of what most of its border touches without a step in depth, so
-/// that noise leaves no speckles and no pinholes, and distortion no gaps, unless it lies off that plane; then
-/// planes that are too small go, and the rest are numbered from 1, the largest first.
+/// Refinement of a label image by region merging. A connected component smaller than min_region_pixels, or
+/// than eight times as many without a label, gets the label that most of its border touches without a depth
+/// step, unless its pixels are too far from that plane. This removes speckles and pinholes of noise, and gaps
+/// of distortion. Then planes that are too small are removed, and the others numbered from 1, the largest
+/// first.
 class RegionCleaner {
  public:
   /// @param image  its labels are k + 1 for cluster k, 0 for no plane, and kNoDepthLabel, which becomes 0
@@ -26,26 +27,26 @@ class RegionCleaner {
   int clusterOf(int label) const { return order_[label - 1] - 1; }
 
  private:
-  /// Pieces without depth border on nothing; only small ones may go to an target_label.
+  /// Components without depth have no borders; only small ones are merged.
   enum Size : std::uint8_t { kNoDepth = 0, kSmall = 1, kLarge = 2 };
 
-  /// A connected piece of one label.
+  /// A connected component of one label.
   struct Component {
     std::uint16_t label = 0;
-    std::uint16_t target_label = 0;  ///< what most of its border touches, or 0; of a small piece
+    std::uint16_t target_label = 0;  ///< of a small component: the label to merge into, or 0
     Size size = kNoDepth;
     int pixels = 0;
     int vote_count = 0;  ///< of the target_label while it is voted for
-    int majority_margin =
-        0;  ///< [px] of its border with large pieces: twice what the target_label holds, less all of it
+    /// [px] Twice the border with target_label, minus the border with all large components.
+    int majority_margin = 0;
   };
   /// Two runs that touch, the first one above or to the left of the second.
   struct Border {
     int first, second;
   };
-  /// Pixels of a small piece that touch a large one.
+  /// Pixels of a small component that touch a large one.
   struct Contact {
-    int piece;
+    int component;
     std::uint16_t label;  ///< of the large one
     int length;
   };
@@ -54,7 +55,7 @@ class RegionCleaner {
   Component& componentOf(int run) { return components_[component_of_run_[run]]; }
   void connect(const LabelRuns& image);
   void growBorders();
-  /// All are stored and the right ones counted: a branch would be mispredicted.
+  /// Stores every border, and counts it if it is one: a branch would be mispredicted.
   void addBorderIf(bool is_border, const Border& border) {
     if (border_count_ == borders_.size()) growBorders();
     borders_[border_count_] = border;
@@ -70,11 +71,10 @@ class RegionCleaner {
                             const LabelRuns& image);
   int renumber(int min_plane_inliers, int label_count);
 
-  std::vector<int>
-      component_of_run_;  // of each run; before pieces have numbers, an earlier run of it, or itself
-  std::vector<Component> components_;  // the first one is of all pixels without depth
-  std::vector<double> errors_;         // of each piece's pixels to the target_label's plane, in tolerances
-  std::vector<Border> borders_;        // the first ones, as many as are counted
+  std::vector<int> component_of_run_;  // per run; before components are numbered, its parent run
+  std::vector<Component> components_;  // the first one holds all pixels without depth
+  std::vector<double> errors_;         // [tolerances] per component: summed distance to the target's plane
+  std::vector<Border> borders_;        // the first border_count_ are valid
   std::size_t border_count_ = 0;
   std::vector<Contact> contacts_;
   std::vector<int> label_pixels_, order_;
