@@ -28,6 +28,10 @@ class StageObserver {
   virtual ~StageObserver() = default;
   virtual void frameStarted() = 0;
   virtual void stageFinished(Stage stage) = 0;
+
+  /// Returns true if the frame shall be given up. Polled after each stage and during long ones; may be called
+  /// thousands of times per frame.
+  virtual bool isStopRequested() { return false; }
 };
 
 /// Finds the planes of a depth image with line primitives, after Zhang, Chen and Liu (2016).
@@ -48,7 +52,7 @@ class PlaneSegmenter {
   /// Segments one image. If the view is empty, the camera invalid or no depth valid, the result has no planes
   /// and all labels are 0. Never throws on bad data.
   /// @param observer  called at the end of each stage; may be null
-  /// @return the result, valid until the next call
+  /// @return the result, valid until the next call; without planes if the observer requested a stop
   const Segmentation& segment(const DepthView& depth, const CameraIntrinsics& camera,
                               StageObserver* observer = nullptr);
 

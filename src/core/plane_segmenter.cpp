@@ -42,6 +42,12 @@ void clearInvalid(const DepthImage& depth, std::vector<std::uint16_t>& labels) {
   }
 }
 
+// The result of a frame without planes.
+void clearAll(const DepthView& view, Segmentation& result) {
+  clear(view, result);
+  std::fill(result.labels.begin(), result.labels.end(), std::uint16_t{0});
+}
+
 class SilentObserver final : public StageObserver {
  public:
   void frameStarted() override {}
@@ -68,6 +74,8 @@ struct PlaneSegmenter::Stages {
   std::vector<PlaneCandidate> candidates;
 
   void load(const DepthView& view, const CameraIntrinsics& camera);
+  bool run(SegmentationMethod& method, StageObserver& observer);
+  void refine(SegmentationMethod& method);
   void removeFilledPixels();
   void describe();
 };
@@ -91,6 +99,35 @@ void PlaneSegmenter::Stages::removeFilledPixels() {
   for (std::size_t i = 0; i < filled.size(); ++i) {
     if (filled[i] != 0) frame.depth.z[i] = 0.0F;
   }
+}
+
+void PlaneSegmenter::Stages::refine(SegmentationMethod& method) {
+  method.refine(frame, planes);
+  removeFilledPixels();
+  measurement.measure(frame.depth, frame.rays, frame.camera, planes.label_count,
+                      frame.parameters.extraction.min_plane_area, planes.runs, result, planes.estimates,
+                      is_perforated);
+  planes.runs.write(result.labels, frame.depth.width);
+  if (is_perforated) clearInvalid(frame.depth, result.labels);
+}
+
+// @return false if the observer requested a stop
+bool PlaneSegmenter::Stages::run(SegmentationMethod& method, StageObserver& observer) {
+  const auto finish = [&observer](Stage stage) {
+    observer.stageFinished(stage);
+    return !observer.isStopRequested();
+  };
+  method.extractLines(frame);
+  if (!finish(Stage::kLines)) return false;
+  method.detectCandidates(frame);
+  if (!finish(Stage::kCandidates)) return false;
+  method.extractPlanes(frame, planes);
+  if (!finish(Stage::kExtraction)) return false;
+  refine(method);
+  described_method = &method;
+  if (!finish(Stage::kRefinement)) return false;
+  outlines.trace(frame.camera, frame.parameters.outlines, planes.runs, result);
+  return finish(Stage::kOutlines);
 }
 
 void PlaneSegmenter::Stages::describe() {
@@ -140,31 +177,18 @@ const Segmentation& PlaneSegmenter::segment(const DepthView& view, const CameraI
   s.candidates.clear();
   s.described_method = nullptr;
   if (view.empty() || !camera.isValid()) {
-    std::fill(s.result.labels.begin(), s.result.labels.end(), std::uint16_t{0});
+    clearAll(view, s.result);
     return s.result;
   }
 
   s.load(view, camera);
+  s.frame.observer = observer;
   SegmentationMethod& method = s.parameters.method == Method::kPaper
                                    ? static_cast<SegmentationMethod&>(s.paper)
                                    : static_cast<SegmentationMethod&>(s.adaptive);
-  method.extractLines(s.frame);
-  stage_observer.stageFinished(Stage::kLines);
-  method.detectCandidates(s.frame);
-  stage_observer.stageFinished(Stage::kCandidates);
-  method.extractPlanes(s.frame, s.planes);
-  stage_observer.stageFinished(Stage::kExtraction);
-  method.refine(s.frame, s.planes);
-  s.removeFilledPixels();
-  s.described_method = &method;
-  s.measurement.measure(s.frame.depth, s.frame.rays, camera, s.planes.label_count,
-                        s.frame.parameters.extraction.min_plane_area, s.planes.runs, s.result,
-                        s.planes.estimates, s.is_perforated);
-  s.planes.runs.write(s.result.labels, view.width);
-  if (s.is_perforated) clearInvalid(s.frame.depth, s.result.labels);
-  stage_observer.stageFinished(Stage::kRefinement);
-  s.outlines.trace(camera, s.frame.parameters.outlines, s.planes.runs, s.result);
-  stage_observer.stageFinished(Stage::kOutlines);
+  const bool is_complete = s.run(method, stage_observer);
+  s.frame.observer = nullptr;
+  if (!is_complete) clearAll(view, s.result);
   return s.result;
 }
 

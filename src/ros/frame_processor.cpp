@@ -31,6 +31,8 @@ FrameProcessor::FrameProcessor(const std::string& name, const InputLimits& limit
             warnings_.warnAboutFailure(problem);
           }) {}
 
+FrameProcessor::~FrameProcessor() { segmenter_.stop(); }
+
 void FrameProcessor::setParameters(const NodeletParameters& parameters) {
   const std::lock_guard<std::mutex> lock(parameters_mutex_);
   parameters_ = parameters;
@@ -126,6 +128,7 @@ void FrameProcessor::process(const InputFrame& frame) {
     return;
   }
   const Segmentation& segmentation = segmenter_.segment();
+  if (segmenter_.isStopped()) return;
   warnings_.checkSegmentation(input, segmenter_.range(), segmentation);
 
   const auto outputs_started = std::chrono::steady_clock::now();

@@ -30,11 +30,18 @@ class FrameProcessor {
   FrameProcessor(const std::string& name, const InputLimits& limits, std::size_t queue_size,
                  const Outputs& outputs, TransformListener& transforms);
 
+  /// Gives up the current frame, and ends the thread.
+  ~FrameProcessor();
+  FrameProcessor(const FrameProcessor&) = delete;
+  FrameProcessor& operator=(const FrameProcessor&) = delete;
+
   /// Sets all parameters together, for the next frame. Does not wait for the current frame.
   void setParameters(const NodeletParameters& parameters);
 
   FrameQueue& queue() { return worker_.queue(); }
   FrameStatistics& statistics() { return statistics_; }
+  /// Returns how long the current frame has been processed so far; 0 between frames.
+  std::chrono::steady_clock::duration timeInFrame() const { return worker_.timeInFrame(); }
 
  private:
   void process(const InputFrame& frame);

@@ -4,6 +4,7 @@
 #include <sensor_msgs/Image.h>
 #include <std_msgs/Header.h>
 
+#include <atomic>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -39,6 +40,11 @@ class FrameSegmenter {
   /// Segments the frame that was accepted.
   const Segmentation& segment();
 
+  /// Gives up the current frame and all later ones, whose segmentations are empty. May be called from any
+  /// thread.
+  void stop() { clock_.is_stopped = true; }
+  bool isStopped() const { return clock_.is_stopped; }
+
   /// Calls accept() and, unless the frame is refused, segment().
   const Validation& segment(const InputFrame& frame);
 
@@ -61,12 +67,18 @@ class FrameSegmenter {
   SegmentedFrame result(const PublishedPlanes& published) const;
 
  private:
+  /// Clock of the stages that can end a frame early.
+  struct StoppableClock : StageClock {
+    bool isStopRequested() override { return is_stopped; }
+    std::atomic<bool> is_stopped{false};
+  };
+
   Validation acceptImage(const InputFrame& frame);
   Validation acceptCompressed(const InputFrame& frame);
 
   InputLimits limits_;
   PlaneSegmenter segmenter_;
-  StageClock clock_;
+  StoppableClock clock_;
   std_msgs::Header header_;
   std::vector<std::uint8_t> cloud_depth_;  // memory of the view of a cloud
   sensor_msgs::Image decoded_;             // memory of the view of a compressed image

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <atomic>
+#include <chrono>
 #include <cstddef>
 #include <functional>
 #include <string>
@@ -34,6 +36,10 @@ class FrameWorker {
   FrameQueue& queue() { return queue_; }
   const FrameQueue& queue() const { return queue_; }
 
+  /// Returns how long the current frame has been processed so far; 0 between frames. May be called from any
+  /// thread.
+  std::chrono::steady_clock::duration timeInFrame() const;
+
  private:
   void run();
   void processSafely(const InputFrame& frame);
@@ -42,6 +48,7 @@ class FrameWorker {
   const Process process_;
   const Failed failed_;
   FrameQueue queue_;
+  std::atomic<std::chrono::steady_clock::duration> frame_started_{};  // since the clock's epoch; 0: no frame
   std::thread thread_;
 };
 

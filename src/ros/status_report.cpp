@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cstdio>
 
 namespace line_plane_segmentation {
 namespace {
@@ -15,14 +16,27 @@ using TimePoint = InputTimes::TimePoint;
 constexpr std::chrono::seconds kPatience(10);      // time after which missing input is a warning
 constexpr std::chrono::milliseconds kPause(1500);  // longer than the image period of any depth camera
 
+constexpr std::chrono::seconds kSlow(2);  // time of a frame that is a warning
+
 struct Summary {
   unsigned char level;
   std::string text;
 };
 
+double toSeconds(std::chrono::steady_clock::duration duration) {
+  return std::chrono::duration<double>(duration).count();
+}
+
 std::string lateInfos(const NodeletStatus& status) {
   return std::to_string(status.newly_late) + " images lost: camera_info on " + status.topics.info +
          " arrives more than queue_size images after its image. Raise ~queue_size";
+}
+
+std::string slowFrame(const char* state, double seconds) {
+  char text[120];
+  std::snprintf(text, sizeof(text), "%s %.1f s: larger scanline_spacing and min_plane_inliers take less time",
+                state, seconds);
+  return text;
 }
 
 // Returns which input is missing for the first or next frame.
@@ -42,6 +56,9 @@ Summary summarizeFrames(const NodeletStatus& status, TimePoint now) {
   if (status.newly_dropped > 0) {
     return {DiagnosticStatus::WARN,
             "input is faster than processing: " + std::to_string(status.newly_dropped) + " frames dropped"};
+  }
+  if (frames.max_milliseconds >= 1000.0 * toSeconds(kSlow)) {
+    return {DiagnosticStatus::WARN, slowFrame("the slowest frame took", frames.max_milliseconds / 1000.0)};
   }
   if (status.newly_late > 0) return {DiagnosticStatus::WARN, lateInfos(status)};
   if (status.newly_lost > 0) {
@@ -67,6 +84,10 @@ Summary summarize(const NodeletStatus& status, TimePoint now) {
   if (!status.failure.empty()) return {DiagnosticStatus::ERROR, status.failure};
   if (!status.subscribed) return {DiagnosticStatus::OK, "nobody subscribes to my outputs: idle"};
 
+  if (status.time_in_frame >= kSlow) {
+    return {DiagnosticStatus::WARN,
+            slowFrame("the current frame has taken", toSeconds(status.time_in_frame))};
+  }
   const TimePoint alive = std::max(status.input.subscribed, status.input.frame);
   const bool late = now - alive >= kPatience;
   if (late || status.input.frame == TimePoint{}) {

@@ -3,6 +3,7 @@
 
 #include <diagnostic_updater/DiagnosticStatusWrapper.h>
 
+#include <chrono>
 #include <cstdint>
 #include <string>
 
@@ -22,6 +23,7 @@ struct NodeletStatus {
   std::uint64_t lost = 0;           ///< images without a camera_info of their timestamp, since the start
   std::uint64_t newly_lost = 0;     ///< the same since the last report
   std::uint64_t newly_late = 0;     ///< lost images whose camera_info arrived later, since the last report
+  std::chrono::steady_clock::duration time_in_frame{};  ///< processing time of the current frame so far
   FrameReport frames;
 };
 

@@ -274,6 +274,37 @@ TEST_P(PlaneSegmenterTest, TellsItsStagesInTheirOrder) {
                                                      "refinement", "outlines"}));
 }
 
+/// Asks for a stop when it is polled for the n-th time.
+class StopsAt : public StageObserver {
+ public:
+  explicit StopsAt(int n) : n_(n) {}
+  void frameStarted() override {}
+  void stageFinished(Stage) override {}
+  bool isStopRequested() override { return ++polls >= n_; }
+  int polls = 0;
+
+ private:
+  int n_;
+};
+
+TEST_P(PlaneSegmenterTest, GivesAFrameUpWhenAskedTo) {
+  const std::vector<std::uint16_t> pixels(320 * 240, 1500);
+  const DepthView view = viewOf(pixels.data(), 320, 240);
+  PlaneSegmenter segmenter(parameters());
+  StopsAt never(1000000);
+  ASSERT_EQ(segmenter.segment(view, kinectCamera(320, 240), &never).planes.size(), 1U);
+  ASSERT_GE(never.polls, kStageCount);
+  for (int n = 1; n <= never.polls; n += 1 + never.polls / 20) {
+    StopsAt stop(n);
+    const Segmentation& segmentation = segmenter.segment(view, kinectCamera(320, 240), &stop);
+    EXPECT_LE(stop.polls, n + 1) << "it goes on";
+    EXPECT_TRUE(segmentation.planes.empty());
+    EXPECT_EQ(std::count(segmentation.labels.begin(), segmentation.labels.end(), 0), 320 * 240);
+    EXPECT_EQ(segmentation.assigned_pixels, 0U);
+  }
+  EXPECT_EQ(segment(view, segmenter).planes.size(), 1U) << "the next frame is as any other";
+}
+
 TEST_P(PlaneSegmenterTest, WorksOnWhenMoved) {
   const std::vector<std::uint16_t> pixels(320 * 240, 1500);
   PlaneSegmenter first(parameters());

@@ -179,6 +179,19 @@ TEST(StatusReport, drops) {
 }
 
 // Row 10.
+TEST(StatusReport, slowFrames) {
+  NodeletStatus status = statusOfWorkingNodelet();
+  status.time_in_frame = seconds(12);
+  status.input.frame = kNow - seconds(60);  // the frames behind it wait
+  expectStatus(status, DiagnosticStatus::WARN, "the current frame has taken 12.0 s");
+
+  status = statusOfWorkingNodelet();
+  status.time_in_frame = milliseconds(500);
+  expectStatus(status, DiagnosticStatus::OK, "segmenting");
+  status.frames.max_milliseconds = 3200.0;
+  expectStatus(status, DiagnosticStatus::WARN, "the slowest frame took 3.2 s");
+}
+
 TEST(StatusReport, noDepthAtAll) {
   NodeletStatus status = statusOfWorkingNodelet();
   status.frames.valid_fraction = 0.0;

@@ -9,6 +9,7 @@
 #include "line_plane_segmentation/line_segment.h"
 #include "line_plane_segmentation/parameters.h"
 #include "line_plane_segmentation/plane_candidate.h"
+#include "line_plane_segmentation/plane_segmenter.h"
 #include "refine/label_runs.h"
 #include "refine/plane_estimate.h"
 
@@ -19,7 +20,8 @@ struct Frame {
   DepthImage depth;
   ViewRays rays;
   CameraIntrinsics camera;
-  Parameters parameters;  ///< resolved for the image
+  Parameters parameters;              ///< resolved for the image
+  StageObserver* observer = nullptr;  ///< asked for a stop during long stages; null: nobody asks
 };
 
 /// The result of the stage "extraction".

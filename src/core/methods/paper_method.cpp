@@ -16,8 +16,8 @@ void PaperMethod::detectCandidates(const Frame& frame) {
 
 void PaperMethod::extractPlanes(const Frame& frame, LabeledPlanes& planes) {
   labels_.assign(frame.depth.z.size(), 0);
-  planes.label_count =
-      plane_extractor_.extract(frame.depth, frame.rays, candidates_, frame.parameters, labels_);
+  planes.label_count = plane_extractor_.extract(frame.depth, frame.rays, candidates_, frame.parameters,
+                                                labels_, frame.observer);
   planes.runs.scan(labels_, frame.depth.width, frame.depth.height);
   planes.estimates.clear();
 }

@@ -41,6 +41,9 @@ struct PlaneExtractor::Scratch {
   RunComponents components;
   std::vector<Entry> queue;
 
+  void start(const DepthImage& depth, const ViewRays& rays, std::size_t candidates, double neighbor_distance);
+  void tighten(Entry& entry, const PlaneCandidate& candidate, const ViewRays& rays, float plane_distance);
+
   void linkAll(const ViewRays& rays, float neighbor_distance) {
     const int width = remaining.width, height = remaining.height;
     links.resize(remaining.z.size());
@@ -144,66 +147,74 @@ struct PlaneExtractor::Scratch {
 PlaneExtractor::PlaneExtractor() : scratch_(std::make_unique<Scratch>()) {}
 PlaneExtractor::~PlaneExtractor() = default;
 
-int PlaneExtractor::extract(const DepthImage& depth, const ViewRays& rays,
-                            const std::vector<PlaneCandidate>& candidates, const Parameters& parameters,
-                            std::vector<std::uint16_t>& labels) {
-  if (candidates.empty()) return 0;
-  Scratch& s = *scratch_;
-  s.remaining = depth;
-  s.mask.resize(static_cast<std::size_t>(depth.width));
-  s.boundaries.resize(static_cast<std::size_t>(depth.width) / 8 + 1);
-  s.linkAll(rays, static_cast<float>(parameters.extraction.neighbor_distance));
-  s.tiles.build(depth);
-
-  const float plane_distance = static_cast<float>(parameters.extraction.plane_distance);
-  const int min_inliers = parameters.extraction.min_plane_inliers;
-  std::vector<Entry>& queue = s.queue;
+void PlaneExtractor::Scratch::start(const DepthImage& depth, const ViewRays& rays, std::size_t candidates,
+                                    double neighbor_distance) {
+  remaining = depth;
+  mask.resize(static_cast<std::size_t>(depth.width));
+  boundaries.resize(static_cast<std::size_t>(depth.width) / 8 + 1);
+  linkAll(rays, static_cast<float>(neighbor_distance));
+  tiles.build(depth);
   queue.clear();
-  for (std::size_t i = 0; i < candidates.size(); ++i) {
+  for (std::size_t i = 0; i < candidates; ++i) {
     queue.push_back({std::numeric_limits<int>::max(), static_cast<int>(i), 0, Bound::kStale});
   }
   std::make_heap(queue.begin(), queue.end(), goesLater);
+}
 
+// Lowers the bound of an entry by the next step.
+void PlaneExtractor::Scratch::tighten(Entry& entry, const PlaneCandidate& candidate, const ViewRays& rays,
+                                      float plane_distance) {
+  const int tile_bound = bound(candidate, rays, plane_distance);
+  switch (entry.kind) {
+    case Bound::kStale:
+      entry.bound = std::min(entry.bound, tile_bound);
+      entry.kind = Bound::kTiles;
+      break;
+    case Bound::kTiles:
+      entry.bound = std::min(entry.bound, countUnconnected(candidate, rays, plane_distance));
+      entry.kind = Bound::kUnconnected;
+      break;
+    case Bound::kUnconnected:
+    case Bound::kExact: {
+      const int component = grow(candidate, rays, plane_distance);
+      entry.bound = component < 0 ? 0 : components.pixelCount(component);
+      entry.kind = Bound::kExact;
+      break;
+    }
+  }
+}
+
+int PlaneExtractor::extract(const DepthImage& depth, const ViewRays& rays,
+                            const std::vector<PlaneCandidate>& candidates, const Parameters& parameters,
+                            std::vector<std::uint16_t>& labels, StageObserver* observer) {
+  if (candidates.empty()) return 0;
+  Scratch& s = *scratch_;
+  s.start(depth, rays, candidates.size(), parameters.extraction.neighbor_distance);
+  const float plane_distance = static_cast<float>(parameters.extraction.plane_distance);
   int round = 0;
-  while (!queue.empty() && round < kMaxPlanes) {
-    std::pop_heap(queue.begin(), queue.end(), goesLater);
-    Entry entry = queue.back();
-    queue.pop_back();
+  while (!s.queue.empty() && round < kMaxPlanes) {
+    if (observer != nullptr && observer->isStopRequested()) break;
+    std::pop_heap(s.queue.begin(), s.queue.end(), goesLater);
+    Entry entry = s.queue.back();
+    s.queue.pop_back();
     const PlaneCandidate& candidate = candidates[entry.candidate];
 
     if (entry.round != round) entry.kind = Bound::kStale;
     entry.round = round;
-
     if (entry.kind == Bound::kStale) {
       const PixelWindow window = windowAround(candidate.u, candidate.v, parameters.candidates.normal_window,
                                               depth.width, depth.height);
       if (s.validPixels(window) < parameters.candidates.min_window_points) continue;
     }
-    const int tile_bound = s.bound(candidate, rays, plane_distance);
-    switch (entry.kind) {
-      case Bound::kStale:
-        entry.bound = std::min(entry.bound, tile_bound);
-        entry.kind = Bound::kTiles;
-        break;
-      case Bound::kTiles:
-        entry.bound = std::min(entry.bound, s.countUnconnected(candidate, rays, plane_distance));
-        entry.kind = Bound::kUnconnected;
-        break;
-      case Bound::kUnconnected: {
-        const int component = s.grow(candidate, rays, plane_distance);
-        entry.bound = component < 0 ? 0 : s.components.pixelCount(component);
-        entry.kind = Bound::kExact;
-        break;
-      }
-      case Bound::kExact: {  // the most of all: nobody's bound is higher
-        const int component = s.grow(candidate, rays, plane_distance);
-        s.take(component, static_cast<std::uint16_t>(++round), labels);
-        continue;
-      }
+    if (entry.kind == Bound::kExact) {  // the most of all: nobody's bound is higher
+      s.bound(candidate, rays, plane_distance);
+      s.take(s.grow(candidate, rays, plane_distance), static_cast<std::uint16_t>(++round), labels);
+      continue;
     }
-    if (entry.bound < min_inliers) continue;
-    queue.push_back(entry);
-    std::push_heap(queue.begin(), queue.end(), goesLater);
+    s.tighten(entry, candidate, rays, plane_distance);
+    if (entry.bound < parameters.extraction.min_plane_inliers) continue;
+    s.queue.push_back(entry);
+    std::push_heap(s.queue.begin(), s.queue.end(), goesLater);
   }
   return round;
 }

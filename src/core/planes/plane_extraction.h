@@ -8,6 +8,7 @@
 #include "depth/depth_image.h"
 #include "line_plane_segmentation/parameters.h"
 #include "line_plane_segmentation/plane_candidate.h"
+#include "line_plane_segmentation/plane_segmenter.h"
 
 namespace line_plane_segmentation {
 
@@ -26,9 +27,11 @@ class PlaneExtractor {
 
   /// @param parameters  resolved for the width of the image
   /// @param labels      width * height, all 0; plane k's inliers become k, in the order of extraction from 1
+  /// @param observer    asked for a stop before each candidate is counted; may be null
   /// @return the number of planes
   int extract(const DepthImage& depth, const ViewRays& rays, const std::vector<PlaneCandidate>& candidates,
-              const Parameters& parameters, std::vector<std::uint16_t>& labels);
+              const Parameters& parameters, std::vector<std::uint16_t>& labels,
+              StageObserver* observer = nullptr);
 
  private:
   struct Scratch;
