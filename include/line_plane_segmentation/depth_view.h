@@ -28,7 +28,7 @@ struct DepthView {
   DepthType type = DepthType::kUint16;
   union {
     float depth_unit = 0.001F;  ///< [m] depth of one count of the stored number, positive
-    float metres_per_unit;      ///< older name of depth_unit
+    float metres_per_unit;      ///< older name of depth_unit; not for constant expressions
   };
   bool swap_bytes = false;  ///< true if the byte order differs from the host's
 

@@ -28,8 +28,9 @@ struct NoiseParameters {
   /// [m] Distance of the smallest depth noise (Eq. 5). Increase to let the noise grow from farther
   /// away; decrease to let it grow from nearer.
   double nearest = 0.4;
-  /// [-] Multiple of the noise model, 0 = as measured in each image, from 1 to 4. Increase to
-  /// tolerate noisier images; decrease to 1 to use the model unchanged.
+  /// [-] Multiple of the noise model; 0 = noise and distortion are measured in each image, 1 to 4 and 1 to 2
+  /// times. Increase above 1 for noisier images without a measurement; decrease to 1 to use the model
+  /// unchanged.
   double scale = 0.0;
 
   /// Returns the standard deviation [m] at the depth z [m].
@@ -224,6 +225,9 @@ void visitParameters(ParametersType& p, Visitor&& visitor) {
 /// Returns a line that states that a parameter has no effect on a method; empty if it has an effect.
 /// @param name  public name of the parameter
 std::string noEffect(const std::string& name, Method method);
+
+/// Whether a parameter has an effect on a method.
+inline bool isUsed(const std::string& name, Method method) { return noEffect(name, method).empty(); }
 
 /// Limits every parameter to its bounds, replaces NaN by the default, sets points_per_segment to 1, 3 or 5,
 /// line_window to at least 2 unless it is 0, and min_range to less than max_range.

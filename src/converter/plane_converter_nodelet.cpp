@@ -76,8 +76,6 @@ void PlaneConverterNodelet::start() {
       "coefficients_array", kQueueSize, changed, changed);
 #endif
   planes_.registerCallback(&PlaneConverterNodelet::convert, this);
-  pairs_.connectInput(planes_, labels_);
-  pairs_.registerCallback(&PlaneConverterNodelet::publishInliers, this);
   is_ready_ = true;
 }
 
@@ -98,7 +96,14 @@ void PlaneConverterNodelet::updateSubscriptions() {
     is_wanted |= hasSubscriber(*publisher);
   }
   subscribe(planes_, "planes", is_wanted);
-  subscribe(labels_, "labels", hasSubscriber(inliers_));
+  const bool labels_are_wanted = hasSubscriber(inliers_);
+  if (!labels_are_wanted) pairs_.reset();
+  subscribe(labels_, "labels", labels_are_wanted);
+  if (labels_are_wanted && !pairs_) {
+    pairs_ = std::make_unique<message_filters::TimeSynchronizer<PlaneArray, sensor_msgs::Image>>(kQueueSize);
+    pairs_->connectInput(planes_, labels_);
+    pairs_->registerCallback(&PlaneConverterNodelet::publishInliers, this);
+  }
 }
 
 void PlaneConverterNodelet::convert(const PlaneArray::ConstPtr& planes) {

@@ -8,6 +8,7 @@
 #include <ros/publisher.h>
 #include <sensor_msgs/Image.h>
 
+#include <memory>
 #include <mutex>
 
 #include "conversions_of_planes.h"
@@ -34,7 +35,9 @@ class PlaneConverterNodelet : public nodelet::Nodelet {
   ros::Publisher model_, inliers_, polygon_, markers_, jsk_polygons_, jsk_coefficients_;
   message_filters::Subscriber<PlaneArray> planes_;
   message_filters::Subscriber<sensor_msgs::Image> labels_;
-  message_filters::TimeSynchronizer<PlaneArray, sensor_msgs::Image> pairs_{10};
+  // Only while labels are subscribed to: planes without labels would fill it, and those of a later time would
+  // displace all others after a jump back.
+  std::unique_ptr<message_filters::TimeSynchronizer<PlaneArray, sensor_msgs::Image>> pairs_;
 };
 
 }  // namespace line_plane_segmentation

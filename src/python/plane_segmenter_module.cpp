@@ -101,7 +101,23 @@ class PythonSegmenter {
     return segmenter_.segment(view, camera, &clock_);
   }
 
+  /// Warns of parameters that were changed, but have no effect on the method.
+  static void warnOfUnused(const Parameters& before, const Parameters& parameters) {
+    std::vector<double> old_values;
+    visitParameters(before, [&](const char*, const auto& value, auto, auto) {
+      old_values.push_back(static_cast<double>(value));
+    });
+    std::size_t index = 0;
+    visitParameters(parameters, [&](const char* name, const auto& value, auto, auto) {
+      const bool is_same = static_cast<double>(value) == old_values[index++];
+      const std::string no_effect = is_same ? "" : noEffect(name, parameters.method);
+      if (!no_effect.empty() && PyErr_WarnEx(PyExc_UserWarning, no_effect.c_str(), 1) != 0)
+        throw py::error_already_set();
+    });
+  }
+
   void set(const py::kwargs& given, Parameters parameters) {
+    const Parameters before = parameters;
     for (const auto& [name, value] : given) {
       std::string text = py::str(value);
       // Python's and numpy's booleans.
@@ -110,11 +126,7 @@ class PythonSegmenter {
       const std::string problem = setParameter(py::str(name), text, parameters);
       if (!problem.empty()) throw py::value_error(problem);
     }
-    for (const auto& [name, value] : given) {
-      const std::string no_effect = noEffect(py::str(name), parameters.method);
-      if (!no_effect.empty() && PyErr_WarnEx(PyExc_UserWarning, no_effect.c_str(), 1) != 0)
-        throw py::error_already_set();
-    }
+    warnOfUnused(before, parameters);
     const std::vector<std::string> changes = sanitize(parameters);
     if (!changes.empty()) throw py::value_error("these do not go together: " + changes.front());
     segmenter_.setParameters(parameters);

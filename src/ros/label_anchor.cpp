@@ -82,7 +82,7 @@ class CellGrid {
   int columns_;
   int rows_;
   std::vector<std::uint16_t> labels_;
-  std::vector<int> distances_;  // [cells] to the nearest cell of another label, at least_squared_offset 1
+  std::vector<int> distances_;  // [cells] to the nearest cell of another label, at least 1
 };
 
 // Cells of one plane: count, sums of coordinates, and largest distance to the border.

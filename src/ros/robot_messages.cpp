@@ -35,10 +35,9 @@ const std::vector<DetectedObject>& RobotMessages::detectedObjects() {
 
 SupportedObjectArray::Ptr RobotMessages::objects() {
   if (!frame_->published.poses.gravity_frame_is_set) {
-    ROS_WARN_THROTTLE(
-        kWarningPeriod,
-        "[%s] no objects are detectedObjects: set ~gravity_frame, so that horizontal planes are known",
-        name_.c_str());
+    ROS_WARN_THROTTLE(kWarningPeriod,
+                      "[%s] no objects are detected: set ~gravity_frame, so that horizontal planes are known",
+                      name_.c_str());
   }
   const std::vector<DetectedObject>& objects = detectedObjects();
   return objectsMessage(*frame_, objects, detector_.supports());

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "frame_results.h"
 
+#include <cmath>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -46,6 +47,12 @@ FrameResults::FrameResults(const fs::path& folder, const DepthFrame& frame)
       overlay(folder / (frame.name + ".overlay.png")),
       planes(folder / (frame.name + ".planes.json")) {}
 
+// Whole numbers are what users give: the inverse of their inverse may differ in the last bit.
+double unitsPerMetre(double depth_unit) {
+  const double units = 1.0 / depth_unit, whole = std::round(units);
+  return std::abs(units - whole) < 1e-9 * whole ? whole : units;
+}
+
 json settingsOf(const DepthFrame& frame, const Parameters& parameters) {
   json values;
   visitParameters(parameters, [&values](const char* name, auto value, auto, auto) {
@@ -58,7 +65,7 @@ json settingsOf(const DepthFrame& frame, const Parameters& parameters) {
   const CameraIntrinsics& camera = frame.camera;
   return {{"camera", {camera.fx, camera.fy, camera.cx, camera.cy}},
           {"depth_unit", frame.depth_unit},
-          {"units_per_metre", 1.0 / frame.depth_unit},  // older name of the same
+          {"units_per_metre", unitsPerMetre(frame.depth_unit)},  // older name of the same
           {"parameters", values},
           {"version", LPS_VERSION}};
 }

@@ -66,6 +66,37 @@ TEST(PlaneConverter, agreesWithThePlanes) {
   EXPECT_EQ(planes.newest()->header.frame_id, model.newest()->header.frame_id);
 }
 
+// A bag is repeated: planes of later times came before, without labels.
+TEST(PlaneConverter, pairsPlanesWithLabelsAfterAJumpBackInTime) {
+  ros::NodeHandle nh;
+  const ros::Publisher planes = nh.advertise<PlaneArray>("bag/planes", 20);
+  const ros::Publisher labels = nh.advertise<sensor_msgs::Image>("bag/labels", 20);
+  const auto publishPlanes = [&planes](const ros::Time& stamp) {
+    PlaneArray message;
+    message.header.stamp = stamp;
+    planes.publish(message);
+  };
+  const Inbox<pcl_msgs::ModelCoefficients> model("bag_converter/model");
+  ASSERT_TRUE(waitUntil([&] { return planes.getNumSubscribers() > 0; }));
+  for (int i = 0; i < 20; ++i) publishPlanes(ros::Time(100.0 + i));
+  spinFor(0.5);
+
+  const Inbox<pcl_msgs::PointIndices> inliers("bag_converter/inliers");
+  ASSERT_TRUE(waitUntil([&] { return labels.getNumSubscribers() > 0; }));
+  ros::Time stamp(1.0);
+  EXPECT_TRUE(waitUntil([&] {
+    sensor_msgs::Image image;
+    image.header.stamp = stamp += ros::Duration(0.1);
+    image.encoding = "16UC1";
+    image.width = image.height = 1;
+    image.step = 2;
+    image.data.resize(2);
+    publishPlanes(stamp);
+    labels.publish(image);
+    return inliers.newest() != nullptr;
+  }));
+}
+
 TEST(PlaneConverter, staysIdleWithAWrongParameterAndLeavesTheManagerAlive) {
   // Loaded by the launch file with an orientation that does not exist.
   ros::master::V_TopicInfo topics;

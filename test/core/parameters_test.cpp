@@ -236,7 +236,7 @@ TEST(SetParameter, RefusesAnUnknownNameAndNamesIt) {
   }
 }
 
-TEST(Presets, AreTheThreeOfTheDesign) {
+TEST(Presets, AreKinectPaperAndShortRange) {
   Parameters parameters;
   parameters.lines.line_fidelity = 17.0;
   ASSERT_TRUE(loadPreset("kinect", parameters));

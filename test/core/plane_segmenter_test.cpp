@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "support/median.h"
 #include "support/random.h"
 #include "support/segmentation_checks.h"
 #include "support/synthetic_depth.h"
@@ -274,6 +275,24 @@ TEST_P(PlaneSegmenterTest, TellsItsStagesInTheirOrder) {
                                                      "refinement", "outlines"}));
 }
 
+TEST_P(PlaneSegmenterTest, CurvatureOfCandidatesGrowsWithTheSquareOfTheNoise) {
+  const auto medianAt = [this](double noise_factor) {
+    const DepthImage depth = roomCorner(320, 240, noise_factor);
+    PlaneSegmenter segmenter(parameters());
+    segmenter.segment(viewOf(depth.z.data(), 320, 240), kinectCamera(320, 240));
+    std::vector<double> curvatures;
+    for (const PlaneCandidate& candidate : segmenter.candidates()) {
+      curvatures.push_back(candidate.curvature);
+      EXPECT_TRUE(candidate.curvature >= 0.0 && candidate.curvature <= 1.0 / 3.0) << candidate.curvature;
+    }
+    return median(curvatures);
+  };
+  const double once = medianAt(0.5);
+  EXPECT_GT(once, 0.0);
+  EXPECT_NEAR(medianAt(1.0) / once, 4.0, 1.5);
+  EXPECT_LT(medianAt(0.0), 0.01 * once);
+}
+
 /// Asks for a stop when it is polled for the n-th time.
 class StopsAt : public StageObserver {
  public:
@@ -303,6 +322,26 @@ TEST_P(PlaneSegmenterTest, GivesAFrameUpWhenAskedTo) {
     EXPECT_EQ(segmentation.assigned_pixels, 0U);
   }
   EXPECT_EQ(segment(view, segmenter).planes.size(), 1U) << "the next frame is as any other";
+}
+
+// A wall that the sensor bends by 3 cm, 256 pixels from crest to crest.
+TEST(AdaptiveSegmenter, KeepsABentWallWholeIfItMeasuresTheDistortion) {
+  DepthImage depth = render(surfaceAt(2.0), kinectCamera(640, 480), 640, 480);
+  const double phase = 2.0 * M_PI / 256.0;
+  for (int v = 0; v < 480; ++v) {
+    for (int u = 0; u < 640; ++u)
+      depth.row(v)[u] += static_cast<float>(0.03 * (std::sin(phase * u) + std::sin(phase * v)));
+  }
+  Random random(3);
+  addNoise({}, 0.5, random, depth);
+  const auto planesAt = [&depth](double noise_scale) {
+    Parameters parameters;
+    parameters.noise.scale = noise_scale;
+    PlaneSegmenter segmenter(parameters);
+    return segmenter.segment(viewOf(depth.z.data(), 640, 480), kinectCamera(640, 480)).planes.size();
+  };
+  EXPECT_LE(planesAt(0.0), 2U);
+  EXPECT_GE(planesAt(1.0), 5U);
 }
 
 TEST_P(PlaneSegmenterTest, WorksOnWhenMoved) {

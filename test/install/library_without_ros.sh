@@ -20,7 +20,7 @@ cmake --install "$scratch/fetched" --prefix "$scratch/nothing"
 
 # Not optimised, so that as little as possible is inlined and as much as possible shared with programs.
 cmake -S "$source_folder/test/install/parent" -B "$scratch/parent" -DLIBRARY_SOURCE="$source_folder" -DLPS_INSTALL=ON \
-  -DCMAKE_CXX_FLAGS=-O0 -DLPS_FAST_BUILD=ON -DBUILD_SHARED_LIBS=ON -DCMAKE_INSTALL_PREFIX="$scratch/installed"
+  -DCMAKE_CXX_FLAGS=-O0 -DBUILD_SHARED_LIBS=ON -DCMAKE_INSTALL_PREFIX="$scratch/installed"
 cmake --build "$scratch/parent" -- -j2
 "$scratch/parent/find_planes"
 cmake --install "$scratch/parent"

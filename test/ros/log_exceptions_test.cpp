@@ -8,7 +8,7 @@
 namespace line_plane_segmentation {
 namespace {
 
-TEST(ContainExceptions, LetsNoneThrough) {
+TEST(LogExceptions, LetsNoneThrough) {
   logExceptions("test", [] { throw std::bad_alloc(); });
   logExceptions("test", [] { throw 1; });
   bool called = false;

@@ -81,7 +81,7 @@ void LineGrower::grow(const std::vector<float>& orthogonal_ray, const Parameters
   }
 }
 
-// Collects the squared distances of pieces of so many windows.
+// Collects the squared distances of pieces that are `windows` windows long.
 void NoiseMeter::collect(const ScanlineSet& set, const NoiseParameters& noise, int windows) {
   constexpr double kMinFilled = 0.7;
   const auto sum = [windows](const LineSums* first) {
@@ -107,8 +107,8 @@ void NoiseMeter::collect(const ScanlineSet& set, const NoiseParameters& noise, i
 double NoiseMeter::ratioOver(const ScanlineSet& rows, const ScanlineSet& columns,
                              const NoiseParameters& noise, int windows, double quantile, double chi_squared) {
   // Variance of the deviation, in sigma_z², in simulated images with a Kinect's noise
-  // (test/core/line_growing_test.cpp): its errors are shared along the scanline, so that pieces of any length
-  // have nearly the same.
+  // (test/core/line_growing_test.cpp). Its errors are correlated along the scanline by disparity steps, so
+  // that the variance hardly depends on the length of the pieces.
   constexpr double kKinectVariance = 1.05;
   constexpr std::size_t kFewest = 20;
   deviations_.clear();

@@ -46,9 +46,9 @@ class NoiseMeter {
   /// two windows in both sets. Returns 1 if there are fewer than 20 such pieces.
   double ratio(const ScanlineSet& rows, const ScanlineSet& columns, const NoiseParameters& noise);
 
-  /// The same from pieces three scanline spacings long. Over that length independent noise averages out, and
-  /// the sensor's distortion, which bends planes, remains. Surfaces that end or bend themselves add to it,
-  /// so that the lower quartile is taken.
+  /// The same from pieces three scanline spacings long. Over that length the noise of single pixels averages
+  /// out, while sensor distortion, which bends planes, does not. The lower quartile is used, because surfaces
+  /// that end or are curved increase the distances.
   /// @param spacing  [px] between scanlines
   double distortionRatio(const ScanlineSet& rows, const ScanlineSet& columns, const NoiseParameters& noise,
                          int spacing);

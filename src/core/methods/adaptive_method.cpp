@@ -10,9 +10,10 @@ namespace {
 // smoother than its sensor's noise, as in-painted ones are, but its errors are not smaller.
 constexpr double kMinNoiseRatio = 1.0, kMaxNoiseRatio = 4.0;
 
-// Bounds of the measured distortion, as a multiple of the noise. A picture full of things has no three
-// scanline spacings without a bend: what is measured to be larger than a sensor's distortion is the scene's.
-constexpr double kMaxDistortion = 2.0, kLargestOfSensors = 4.0;
+// Bounds of the measured distortion, as multiples of the noise. In a cluttered image few pieces of a scanline
+// are straight, and the ratio measures the scene: from 4 to 5 times the noise, the distortion falls back
+// to 1.
+constexpr double kMaxDistortion = 2.0, kClutter = 6.0;
 
 }  // namespace
 
@@ -26,12 +27,12 @@ void AdaptiveMethod::extractLines(Frame& frame) {
                   : p.noise.scale;
   p.noise.floor *= scale;
   p.noise.growth *= scale;
-  distortion_ = is_measured
-                    ? noise_meter_.distortionRatio(rows_, columns_, p.noise, p.scanlines.scanline_spacing)
-                    : 1.0;
-  distortion_ = distortion_ < kLargestOfSensors ? std::clamp(distortion_, 1.0, kMaxDistortion) : 1.0;
-  // Candidates deviate from their plane by the distortion. Whether the pixels of a small plane lie in it is
-  // still measured by the noise.
+  const double ratio =
+      is_measured ? noise_meter_.distortionRatio(rows_, columns_, p.noise, p.scanlines.scanline_spacing)
+                  : 1.0;
+  distortion_ = std::clamp(std::min(ratio, kClutter - ratio), 1.0, kMaxDistortion);
+  // Candidates deviate from their plane by the distortion. The pixels of a small plane have to lie in it as
+  // before: their bound is in units of the noise.
   p.patches.patch_noise_factor *= distortion_;
   p.clusters.max_curvedness /= distortion_ * distortion_;
   line_grower_.grow(frame.rays.y, p, rows_);

@@ -52,6 +52,24 @@ bool fitWithin(const DepthTolerance& tolerance, double max_flatness, FittedPixel
   return true;
 }
 
+// The variance across the plane over the variance in all directions, as the eigenvalues of the pixels' points
+// give it, to first order about their mean. An error e of the inverse depth is a distance of e d / rho to the
+// plane.
+double curvatureOf(const FittedPixels& fitted) {
+  const RegressionMoments& m = fitted.moments;
+  const InverseDepthPlane& plane = fitted.plane;
+  const double inv = 1.0 / m.weight, x = m.x * inv, y = m.y * inv, z = m.weight / m.rho;
+  const double xx = m.xx * inv - x * x, xy = m.xy * inv - x * y, yy = m.yy * inv - y * y;
+  // The point at the ray (x, y) is z (x, y, 1): its derivatives by x and y, as z changes by -a z² and -b z².
+  const Eigen::Vector3d ray(x, y, 1.0);
+  const Eigen::Vector3d by_x = z * Eigen::Vector3d::UnitX() - plane.a * z * z * ray;
+  const Eigen::Vector3d by_y = z * Eigen::Vector3d::UnitY() - plane.b * z * z * ray;
+  const double along = by_x.squaredNorm() * xx + 2.0 * by_x.dot(by_y) * xy + by_y.squaredNorm() * yy;
+  const double distance = z / plane.inverseDistance();
+  const double across = fitted.squared_error * inv * distance * distance;
+  return across / (across + along);
+}
+
 }  // namespace
 
 PlaneCandidate CrossingCandidate::describe() const {
@@ -60,6 +78,7 @@ PlaneCandidate CrossingCandidate::describe() const {
   candidate.v = v;
   candidate.d = 1.0 / plane.inverseDistance();
   candidate.normal = -candidate.d * Eigen::Vector3d(plane.a, plane.b, plane.c);
+  candidate.curvature = curvatureOf(*this);
   return candidate;
 }
 

@@ -24,7 +24,7 @@ struct PlaneCluster : FittedPixels {
 /// planes are merged across what occludes them.
 class PlaneClusterer {
  public:
-  /// @param distortion  how much larger the sensor's errors are over several candidates than within one
+  /// @param distortion  ratio of the depth errors over several candidates to those within one, at least 1
   /// @param clusters    receives the planes, then the surfaces that are none
   /// @param cluster_at  receives the index in `clusters` per crossing of the grid, -1 if none
   void cluster(const DepthImage& depth, const ViewRays& rays, const CandidateGrid& grid,
