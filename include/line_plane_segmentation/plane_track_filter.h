@@ -79,6 +79,7 @@ class PlaneTrackFilter {
                             const FusionParameters& parameters) const;
   void start(const SegmentedPlane& measured, const Eigen::Isometry3d& fixed_from_optical,
              const FusionParameters& parameters);
+  void rotate(const Eigen::Vector2d& vector);
 
   Eigen::Vector3d anchor_;               // [m] in the fixed frame
   Eigen::Vector3d normal_;               // unit, in the fixed frame

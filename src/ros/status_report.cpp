@@ -107,6 +107,17 @@ Summary summarize(const NodeletStatus& status, TimePoint now) {
   return summarizeFrames(status, now);
 }
 
+void addInputs(const NodeletStatus& status, diagnostic_updater::DiagnosticStatusWrapper& diagnostics) {
+  if (status.topics.cloud.empty()) {
+    diagnostics.add("image topic", status.topics.image);
+    diagnostics.add("camera_info topic", status.topics.info);
+    diagnostics.add("camera_info", status.input.has_fallen_back ? "the newest: none has the stamp of an image"
+                                                                : "that of the image's stamp");
+  } else {
+    diagnostics.add("point cloud topic", status.topics.cloud);
+  }
+}
+
 }  // namespace
 
 void report(const NodeletStatus& status, TimePoint now,
@@ -116,14 +127,7 @@ void report(const NodeletStatus& status, TimePoint now,
 
   const FrameReport& frames = status.frames;
   const double seconds = std::max(frames.seconds, 1e-6);
-  if (status.topics.cloud.empty()) {
-    diagnostics.add("image topic", status.topics.image);
-    diagnostics.add("camera_info topic", status.topics.info);
-    diagnostics.add("camera_info", status.input.has_fallen_back ? "the newest: none has the stamp of an image"
-                                                                : "that of the image's stamp");
-  } else {
-    diagnostics.add("point cloud topic", status.topics.cloud);
-  }
+  addInputs(status, diagnostics);
   diagnostics.addf("rate [Hz]", "%.2f", static_cast<double>(frames.frames) / seconds);
   if (frames.delays > 0) {
     diagnostics.addf("delay [ms]", "%.1f", 1000.0 * frames.delay);

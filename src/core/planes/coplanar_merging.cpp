@@ -65,6 +65,32 @@ int CoplanarMerger::nearest(const CandidateGrid& grid, int plane, int to) const 
   return nearest;
 }
 
+void CoplanarMerger::mergePairs(const DepthImage& depth, const ViewRays& rays, const CandidateGrid& grid,
+                                const Parameters& parameters, MergeTree& tree) {
+  const double limit = parameters.clusters.coplanar_cost;
+  const auto find = [this](int i) {
+    while (merged_into_[i] != i) i = merged_into_[i];
+    return i;
+  };
+  const auto at = [&grid](int i) -> const CrossingCandidate& { return grid.candidates[i]; };
+  for (const Pair& pair : pairs_) {
+    const int a = find(pair.a), b = find(pair.b);
+    if (a == b) continue;
+    int& first = compared_[a];
+    const int second = compared_[b];
+    FittedPixels both;
+    if (!tree.combine(first, second, both) || !(tree.costOf(first, second, both) < limit)) continue;
+    const int from = nearest(grid, a, candidates_[b].front());
+    const int to = nearest(grid, b, from);
+    if (!isOccludedBetween(at(from), at(to), both.plane, depth, rays, parameters)) continue;
+    first = tree.merge(first, second, both);
+    merged_into_[b] = a;
+    std::vector<int>& all = candidates_[a];
+    const std::vector<int>& more = candidates_[b];
+    all.insert(all.end(), more.begin(), more.end());
+  }
+}
+
 void CoplanarMerger::merge(const DepthImage& depth, const ViewRays& rays, const CandidateGrid& grid,
                            const Parameters& parameters, MergeTree& tree, std::vector<int>& planes) {
   const double limit = parameters.clusters.coplanar_cost;
@@ -86,27 +112,7 @@ void CoplanarMerger::merge(const DepthImage& depth, const ViewRays& rays, const 
     merged_into_.push_back(static_cast<int>(i));
     candidates_[i] = tree.candidatesOf(compared[i]);
   }
-  const auto find = [this](int i) {
-    while (merged_into_[i] != i) i = merged_into_[i];
-    return i;
-  };
-  const auto at = [&grid](int i) -> const CrossingCandidate& { return grid.candidates[i]; };
-  for (const Pair& pair : pairs_) {
-    const int a = find(pair.a), b = find(pair.b);
-    if (a == b) continue;
-    int& first = compared[a];
-    const int second = compared[b];
-    FittedPixels both;
-    if (!tree.combine(first, second, both) || !(tree.costOf(first, second, both) < limit)) continue;
-    const int from = nearest(grid, a, candidates_[b].front());
-    const int to = nearest(grid, b, from);
-    if (!isOccludedBetween(at(from), at(to), both.plane, depth, rays, parameters)) continue;
-    first = tree.merge(first, second, both);
-    merged_into_[b] = a;
-    std::vector<int>& all = candidates_[a];
-    const std::vector<int>& more = candidates_[b];
-    all.insert(all.end(), more.begin(), more.end());
-  }
+  mergePairs(depth, rays, grid, parameters, tree);
   std::size_t kept = 0;
   for (std::size_t i = 0; i < planes.size(); ++i) {
     if (i >= compared.size())

@@ -24,6 +24,8 @@ class CoplanarMerger {
   };
 
   void listPairs(const MergeTree& tree, const std::vector<int>& planes, double limit);
+  void mergePairs(const DepthImage& depth, const ViewRays& rays, const CandidateGrid& grid,
+                  const Parameters& parameters, MergeTree& tree);
   int nearest(const CandidateGrid& grid, int plane, int to) const;
 
   std::vector<Pair> pairs_;

@@ -70,6 +70,23 @@ double curvatureOf(const FittedPixels& fitted) {
   return across / (across + along);
 }
 
+// Fits the candidate where row r and column c of the grid cross.
+// @return false if the segments have too few pixels there, or are not coplanar
+bool fitAtCrossing(const ViewRays& rays, const ScanlineSet& rows, const ScanlineSet& columns, int r, int c,
+                   const DepthTolerance& tolerance, double max_flatness, CrossingCandidate& candidate) {
+  const int u = columns.pixels[c], v = rows.pixels[r];
+  const int row_window = rows.windowAt(u), column_window = columns.windowAt(v);
+  int windows = 0;
+  const LineSums row = sumAround(rows, r, row_window, rows.segment_of[rows.indexOf(r, row_window)], windows);
+  const LineSums column =
+      sumAround(columns, c, column_window, columns.segment_of[columns.indexOf(c, column_window)], windows);
+  if (windows < kMinWindows || row.n < kMinPixels || column.n < kMinPixels) return false;
+  candidate.moments = momentsOf(row, column, static_cast<double>(rays.x[u]), static_cast<double>(rays.y[v]));
+  candidate.u = u;
+  candidate.v = v;
+  return fitWithin(tolerance, max_flatness, candidate);
+}
+
 }  // namespace
 
 PlaneCandidate CrossingCandidate::describe() const {
@@ -94,26 +111,17 @@ void CrossingDetector::detect(const ViewRays& rays, const ScanlineSet& rows, con
                                  parameters.patches.patch_distance};
   for (int r = 0; r < grid.rows; ++r) {
     const int v = rows.pixels[r];
-    const double y = static_cast<double>(rays.y[v]);
     int left = -1, left_segment = -1;  // the candidate before, and its row segment
     for (int c = 0; c < grid.columns; ++c) {
       const int u = columns.pixels[c];
-      const int row_window = rows.windowAt(u), column_window = columns.windowAt(v);
-      const int row_segment = rows.segment_of[rows.indexOf(r, row_window)];
-      const int column_segment = columns.segment_of[columns.indexOf(c, column_window)];
+      const int row_segment = rows.segment_of[rows.indexOf(r, rows.windowAt(u))];
+      const int column_segment = columns.segment_of[columns.indexOf(c, columns.windowAt(v))];
       const int before = left;
       left = -1;
       if (row_segment < 0 || column_segment < 0) continue;
-      int windows = 0;
-      const LineSums row = sumAround(rows, r, row_window, row_segment, windows);
-      const LineSums column = sumAround(columns, c, column_window, column_segment, windows);
-      if (windows < kMinWindows || row.n < kMinPixels || column.n < kMinPixels) continue;
-
       CrossingCandidate candidate;
-      candidate.moments = momentsOf(row, column, static_cast<double>(rays.x[u]), y);
-      if (!fitWithin(tolerance, parameters.patches.patch_flatness, candidate)) continue;
-      candidate.u = u;
-      candidate.v = v;
+      if (!fitAtCrossing(rays, rows, columns, r, c, tolerance, parameters.patches.patch_flatness, candidate))
+        continue;
       candidate.cell = grid.indexOf(c, r);
 
       const int index = static_cast<int>(grid.candidates.size());

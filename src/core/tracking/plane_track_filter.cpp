@@ -90,6 +90,19 @@ void PlaneTrackFilter::predict(double seconds, const FusionParameters& parameter
   covariance_.diagonal() += seconds * Eigen::Vector3d(angle * angle, angle * angle, distance * distance);
 }
 
+// Turns the normal by a rotation vector in the tangent plane.
+void PlaneTrackFilter::rotate(const Eigen::Vector2d& vector) {
+  const double angle = vector.norm();
+  if (!(angle > 0.0)) return;
+  const Eigen::Vector3d toward = tangent_ * vector / angle;
+  const Eigen::Matrix3d rotation = Eigen::AngleAxisd(angle, normal_.cross(toward)).toRotationMatrix();
+  normal_ = (rotation * normal_).normalized();
+  tangent_ = rotation * tangent_;
+  // Rounding accumulates over thousands of images.
+  tangent_.col(0) = (tangent_.col(0) - tangent_.col(0).dot(normal_) * normal_).normalized();
+  tangent_.col(1) = normal_.cross(tangent_.col(0));
+}
+
 double PlaneTrackFilter::update(const SegmentedPlane& measured, const Eigen::Isometry3d& fixed_from_optical,
                                 const FusionParameters& parameters) {
   Measurement measurement = measurementOf(measured, fixed_from_optical, parameters);
@@ -122,16 +135,7 @@ double PlaneTrackFilter::update(const SegmentedPlane& measured, const Eigen::Iso
   const Eigen::Matrix3d rest = Eigen::Matrix3d::Identity() - gain;
   covariance_ = rest * covariance_ * rest.transpose() + gain * measurement.covariance * gain.transpose();
   offset_ += step(2);
-  const double turn = step.head<2>().norm();
-  if (turn > 0.0) {
-    const Eigen::Vector3d toward = tangent_ * step.head<2>() / turn;
-    const Eigen::Matrix3d rotation = Eigen::AngleAxisd(turn, normal_.cross(toward)).toRotationMatrix();
-    normal_ = (rotation * normal_).normalized();
-    tangent_ = rotation * tangent_;
-    // Rounding accumulates over thousands of images.
-    tangent_.col(0) = (tangent_.col(0) - tangent_.col(0).dot(normal_) * normal_).normalized();
-    tangent_.col(1) = normal_.cross(tangent_.col(0));
-  }
+  rotate(step.head<2>());
   if (!is_outlier) ++observations_;
   return distance;
 }
