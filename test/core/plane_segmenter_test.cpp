@@ -10,7 +10,6 @@
 #include <utility>
 #include <vector>
 
-#include "support/median.h"
 #include "support/random.h"
 #include "support/segmentation_checks.h"
 #include "support/synthetic_depth.h"
@@ -256,92 +255,6 @@ TEST_P(PlaneSegmenterTest, SanitizesParametersAndTakesThemWithTheNextFrame) {
   EXPECT_TRUE(segment(viewOf(pixels.data(), 320, 240), segmenter).planes.empty());
   segmenter.setParameters(parameters());
   EXPECT_EQ(segment(viewOf(pixels.data(), 320, 240), segmenter).planes.size(), 1U);
-}
-
-/// Writes down what it is told.
-class Recorder : public StageObserver {
- public:
-  void frameStarted() override { told.emplace_back("frame"); }
-  void stageFinished(Stage stage) override { told.emplace_back(nameOf(stage)); }
-  std::vector<std::string> told;
-};
-
-TEST_P(PlaneSegmenterTest, TellsItsStagesInTheirOrder) {
-  const std::vector<std::uint16_t> pixels(320 * 240, 1500);
-  PlaneSegmenter segmenter(parameters());
-  Recorder recorder;
-  segmenter.segment(viewOf(pixels.data(), 320, 240), kinectCamera(320, 240), &recorder);
-  EXPECT_EQ(recorder.told, (std::vector<std::string>{"frame", "lines", "candidates", "extraction",
-                                                     "refinement", "outlines"}));
-}
-
-TEST_P(PlaneSegmenterTest, CurvatureOfCandidatesGrowsWithTheSquareOfTheNoise) {
-  const auto medianAt = [this](double noise_factor) {
-    const DepthImage depth = roomCorner(320, 240, noise_factor);
-    PlaneSegmenter segmenter(parameters());
-    segmenter.segment(viewOf(depth.z.data(), 320, 240), kinectCamera(320, 240));
-    std::vector<double> curvatures;
-    for (const PlaneCandidate& candidate : segmenter.candidates()) {
-      curvatures.push_back(candidate.curvature);
-      EXPECT_TRUE(candidate.curvature >= 0.0 && candidate.curvature <= 1.0 / 3.0) << candidate.curvature;
-    }
-    return median(curvatures);
-  };
-  const double once = medianAt(0.5);
-  EXPECT_GT(once, 0.0);
-  EXPECT_NEAR(medianAt(1.0) / once, 4.0, 1.5);
-  EXPECT_LT(medianAt(0.0), 0.01 * once);
-}
-
-/// Asks for a stop when it is polled for the n-th time.
-class StopsAt : public StageObserver {
- public:
-  explicit StopsAt(int n) : n_(n) {}
-  void frameStarted() override {}
-  void stageFinished(Stage) override {}
-  bool isStopRequested() override { return ++polls >= n_; }
-  int polls = 0;
-
- private:
-  int n_;
-};
-
-TEST_P(PlaneSegmenterTest, GivesAFrameUpWhenAskedTo) {
-  const std::vector<std::uint16_t> pixels(320 * 240, 1500);
-  const DepthView view = viewOf(pixels.data(), 320, 240);
-  PlaneSegmenter segmenter(parameters());
-  StopsAt never(1000000);
-  ASSERT_EQ(segmenter.segment(view, kinectCamera(320, 240), &never).planes.size(), 1U);
-  ASSERT_GE(never.polls, kStageCount);
-  for (int n = 1; n <= never.polls; n += 1 + never.polls / 20) {
-    StopsAt stop(n);
-    const Segmentation& segmentation = segmenter.segment(view, kinectCamera(320, 240), &stop);
-    EXPECT_LE(stop.polls, n + 1) << "it goes on";
-    EXPECT_TRUE(segmentation.planes.empty());
-    EXPECT_EQ(std::count(segmentation.labels.begin(), segmentation.labels.end(), 0), 320 * 240);
-    EXPECT_EQ(segmentation.assigned_pixels, 0U);
-  }
-  EXPECT_EQ(segment(view, segmenter).planes.size(), 1U) << "the next frame is as any other";
-}
-
-// A wall that the sensor bends by 3 cm, 256 pixels from crest to crest.
-TEST(AdaptiveSegmenter, KeepsABentWallWholeIfItMeasuresTheDistortion) {
-  DepthImage depth = render(surfaceAt(2.0), kinectCamera(640, 480), 640, 480);
-  const double phase = 2.0 * M_PI / 256.0;
-  for (int v = 0; v < 480; ++v) {
-    for (int u = 0; u < 640; ++u)
-      depth.row(v)[u] += static_cast<float>(0.03 * (std::sin(phase * u) + std::sin(phase * v)));
-  }
-  Random random(3);
-  addNoise({}, 0.5, random, depth);
-  const auto planesAt = [&depth](double noise_scale) {
-    Parameters parameters;
-    parameters.noise.scale = noise_scale;
-    PlaneSegmenter segmenter(parameters);
-    return segmenter.segment(viewOf(depth.z.data(), 640, 480), kinectCamera(640, 480)).planes.size();
-  };
-  EXPECT_LE(planesAt(0.0), 2U);
-  EXPECT_GE(planesAt(1.0), 5U);
 }
 
 TEST_P(PlaneSegmenterTest, WorksOnWhenMoved) {
