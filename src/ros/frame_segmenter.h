@@ -6,6 +6,7 @@
 
 #include <atomic>
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -42,8 +43,8 @@ class FrameSegmenter {
 
   /// Gives up the current frame and all later ones, whose segmentations are empty. May be called from any
   /// thread.
-  void stop() { clock_.is_stopped = true; }
-  bool isStopped() const { return clock_.is_stopped; }
+  void stop() { *clock_.is_stopped = true; }
+  bool isStopped() const { return *clock_.is_stopped; }
 
   /// Calls accept() and, unless the frame is refused, segment().
   const Validation& segment(const InputFrame& frame);
@@ -69,8 +70,8 @@ class FrameSegmenter {
  private:
   /// Clock of the stages that can end a frame early.
   struct StoppableClock : StageClock {
-    bool isStopRequested() override { return is_stopped; }
-    std::atomic<bool> is_stopped{false};
+    bool isStopRequested() override { return *is_stopped; }
+    std::unique_ptr<std::atomic<bool>> is_stopped = std::make_unique<std::atomic<bool>>(false);  // movable
   };
 
   Validation acceptImage(const InputFrame& frame);
