@@ -105,3 +105,17 @@ launch_beside() {
   trap end_master EXIT
   start_master "$build_directory/roslaunch.log" "$@"
 }
+
+# Runs a Python script of scripts/ on one image of the simulated camera: show_simulated_image SCRIPT OUT
+show_simulated_image() {
+  "$repository/scripts/build"
+  source_ros_setup "$build_directory/devel/setup.bash"
+  use_local_ros
+  work=$(mktemp -d)
+  camera=
+  trap 'kill "$camera" 2>/dev/null || true; end_master; rm -rf "$work"' EXIT
+  start_master "$work/roslaunch.log" --core
+  rosrun nodelet nodelet standalone line_plane_segmentation/simulated_camera _seed:=3 _rate:=2 >"$work/camera.log" 2>&1 &
+  camera=$!
+  /usr/bin/python3 "$repository/scripts/$1" --topic depth/image_raw --out "$2"
+}

@@ -4,7 +4,6 @@
 
 Each picture has two panels: the published method (preset "paper") and the default one.
 """
-import argparse
 import io
 import os
 
@@ -16,7 +15,7 @@ from matplotlib.collections import LineCollection  # noqa: E402
 from PIL import Image  # noqa: E402
 
 from line_plane_segmentation import PlaneSegmenter, color_of  # noqa: E402
-from tuning_page import CAMERA, grab  # noqa: E402
+from simulated_image import CAMERA, run  # noqa: E402
 
 PANEL = (4.2, 3.15)  # [in] of an image of 640 x 480 pixels
 CAPTION = 0.22       # [in] above each panel
@@ -184,15 +183,5 @@ def write_pictures(depth, folder):
         picture.save(os.path.join(folder, name + ".png"), optimize=True)
 
 
-def main():
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--topic", help="topic of the depth image, 640 x 480 and 16UC1")
-    parser.add_argument("--depth", help="a .npy file in its place")
-    parser.add_argument("--out", required=True, help="folder of the pictures")
-    arguments = parser.parse_args()
-    depth = np.load(arguments.depth) if arguments.depth else grab(arguments.topic)
-    write_pictures(depth, arguments.out)
-
-
 if __name__ == "__main__":
-    main()
+    run(__doc__, write_pictures)

@@ -4,7 +4,6 @@
 
 Each picture shows the planes of the same image for a smaller, the default and a larger value.
 """
-import argparse
 import os
 import re
 
@@ -13,11 +12,11 @@ from PIL import Image, ImageDraw
 
 from line_plane_segmentation import PlaneSegmenter
 from line_plane_segmentation.cfg import PlaneSegmenterConfig
+from simulated_image import CAMERA, run
 
 PANEL = (213, 160)  # [px]
 GAP = 3
 CAPTION = 14
-CAMERA = (525.0, 525.0, 319.5, 239.5)  # of the simulated camera at 640 x 480
 FACTOR = 4.0  # from the default to the smaller and the larger value
 
 # Values for parameters whose default is 0, or for which multiples of the default are not instructive.
@@ -39,14 +38,6 @@ def read_parameters():
         for inner in group["groups"]:
             yield from walk(inner, inner["name"])
     yield from walk(PlaneSegmenterConfig.config_description, "method")
-
-
-def grab(topic):
-    import rospy
-    from sensor_msgs.msg import Image as ImageMessage
-    rospy.init_node("tuning_page", anonymous=True)
-    message = rospy.wait_for_message(topic, ImageMessage, timeout=30.0)
-    return np.frombuffer(message.data, np.uint16).reshape(message.height, message.width).copy()
 
 
 def palette(index):
@@ -155,15 +146,5 @@ def write_page(depth, out):
         page.write("\n".join(lines))
 
 
-def main():
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--topic", help="topic of the depth image, 640 x 480 and 16UC1")
-    parser.add_argument("--depth", help="a .npy file in its place")
-    parser.add_argument("--out", required=True, help="folder of the page")
-    arguments = parser.parse_args()
-    depth = np.load(arguments.depth) if arguments.depth else grab(arguments.topic)
-    write_page(depth, arguments.out)
-
-
 if __name__ == "__main__":
-    main()
+    run(__doc__, write_page)

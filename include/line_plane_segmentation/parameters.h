@@ -226,8 +226,12 @@ void visitParameters(ParametersType& p, Visitor&& visitor) {
 /// @param name  public name of the parameter
 std::string noEffect(const std::string& name, Method method);
 
-/// Whether a parameter has an effect on a method.
-inline bool isUsed(const std::string& name, Method method) { return noEffect(name, method).empty(); }
+/// Returns the values of all parameters, in the order of visitParameters().
+std::vector<double> valuesOf(const Parameters& parameters);
+
+/// Names the parameters that were changed, but have no effect on the method.
+/// @return one line per parameter, as from noEffect()
+std::vector<std::string> changesWithoutEffect(const Parameters& before, const Parameters& after);
 
 /// Limits every parameter to its bounds, replaces NaN by the default, sets points_per_segment to 1, 3 or 5,
 /// line_window to at least 2 unless it is 0, and min_range to less than max_range.

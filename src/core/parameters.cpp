@@ -77,12 +77,7 @@ std::vector<std::string> sanitize(Parameters& parameters) {
     changes.push_back(name + " was " + from + ", is now " + to);
   };
 
-  Parameters defaults;
-  std::vector<double> default_values;
-  visitParameters(defaults, [&](const char*, const auto& value, auto, auto) {
-    default_values.push_back(static_cast<double>(value));
-  });
-
+  const std::vector<double> default_values = valuesOf(Parameters{});
   std::size_t index = 0;
   visitParameters(parameters, [&](const char* name, auto& value, auto min, auto max) {
     using T = std::decay_t<decltype(value)>;
@@ -190,6 +185,26 @@ std::string noEffect(const std::string& name, Method method) {
   };
   const bool is_unused = method == Method::kPaper ? isOneOf(kOnlyAdaptive) : isOneOf(kOnlyPaper);
   return is_unused ? name + " has no effect on the method " + nameOf(method) : "";
+}
+
+std::vector<double> valuesOf(const Parameters& parameters) {
+  std::vector<double> values;
+  visitParameters(parameters, [&values](const char*, const auto& value, auto, auto) {
+    values.push_back(static_cast<double>(value));
+  });
+  return values;
+}
+
+std::vector<std::string> changesWithoutEffect(const Parameters& before, const Parameters& after) {
+  const std::vector<double> values_before = valuesOf(before);
+  std::vector<std::string> lines;
+  std::size_t index = 0;
+  visitParameters(after, [&](const char* name, const auto& value, auto, auto) {
+    if (static_cast<double>(value) == values_before[index++]) return;
+    const std::string line = noEffect(name, after.method);
+    if (!line.empty()) lines.push_back(line);
+  });
+  return lines;
 }
 
 std::string setParameter(const std::string& name, const std::string& value, Parameters& parameters) {

@@ -25,6 +25,11 @@ void clear(const DepthView& view, Segmentation& result) {
   result.assigned_pixels = 0;
 }
 
+// The labels of an image without planes. Otherwise every label is written.
+void clearLabels(Segmentation& result) {
+  std::fill(result.labels.begin(), result.labels.end(), std::uint16_t{0});
+}
+
 // The width of an image with a Kinect's field of view whose pixels see the same angle: sizes in pixels follow
 // it, so that they stay the same in the view whatever the image's size, field of view or orientation is. A
 // lens with a long focal length sees less, not smaller things; the diagonal bounds it.
@@ -40,12 +45,6 @@ void clearInvalid(const DepthImage& depth, std::vector<std::uint16_t>& labels) {
   for (std::size_t i = 0; i < labels.size(); ++i) {
     if (!(depth.z[i] > 0.0F)) labels[i] = 0;
   }
-}
-
-// The result of a frame without planes.
-void clearAll(const DepthView& view, Segmentation& result) {
-  clear(view, result);
-  std::fill(result.labels.begin(), result.labels.end(), std::uint16_t{0});
 }
 
 class SilentObserver final : public StageObserver {
@@ -121,7 +120,7 @@ bool PlaneSegmenter::Stages::run(SegmentationMethod& method, StageObserver& obse
   if (!finish(Stage::kLines)) return false;
   method.detectCandidates(frame);
   if (!finish(Stage::kCandidates)) return false;
-  method.extractPlanes(frame, planes);
+  method.extractPlanes(frame, observer, planes);
   if (!finish(Stage::kExtraction)) return false;
   refine(method);
   described_method = &method;
@@ -177,18 +176,19 @@ const Segmentation& PlaneSegmenter::segment(const DepthView& view, const CameraI
   s.candidates.clear();
   s.described_method = nullptr;
   if (view.empty() || !camera.isValid()) {
-    clearAll(view, s.result);
+    clearLabels(s.result);
     return s.result;
   }
 
   s.load(view, camera);
-  s.frame.observer = observer;
   SegmentationMethod& method = s.parameters.method == Method::kPaper
                                    ? static_cast<SegmentationMethod&>(s.paper)
                                    : static_cast<SegmentationMethod&>(s.adaptive);
-  const bool is_complete = s.run(method, stage_observer);
-  s.frame.observer = nullptr;
-  if (!is_complete) clearAll(view, s.result);
+  if (!s.run(method, stage_observer)) {
+    s.described_method = nullptr;
+    clear(view, s.result);
+    clearLabels(s.result);
+  }
   return s.result;
 }
 

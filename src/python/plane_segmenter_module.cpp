@@ -101,21 +101,6 @@ class PythonSegmenter {
     return segmenter_.segment(view, camera, &clock_);
   }
 
-  /// Warns of parameters that were changed, but have no effect on the method.
-  static void warnOfUnused(const Parameters& before, const Parameters& parameters) {
-    std::vector<double> old_values;
-    visitParameters(before, [&](const char*, const auto& value, auto, auto) {
-      old_values.push_back(static_cast<double>(value));
-    });
-    std::size_t index = 0;
-    visitParameters(parameters, [&](const char* name, const auto& value, auto, auto) {
-      const bool is_same = static_cast<double>(value) == old_values[index++];
-      const std::string no_effect = is_same ? "" : noEffect(name, parameters.method);
-      if (!no_effect.empty() && PyErr_WarnEx(PyExc_UserWarning, no_effect.c_str(), 1) != 0)
-        throw py::error_already_set();
-    });
-  }
-
   void set(const py::kwargs& given, Parameters parameters) {
     const Parameters before = parameters;
     for (const auto& [name, value] : given) {
@@ -126,7 +111,9 @@ class PythonSegmenter {
       const std::string problem = setParameter(py::str(name), text, parameters);
       if (!problem.empty()) throw py::value_error(problem);
     }
-    warnOfUnused(before, parameters);
+    for (const std::string& line : changesWithoutEffect(before, parameters)) {
+      if (PyErr_WarnEx(PyExc_UserWarning, line.c_str(), 1) != 0) throw py::error_already_set();
+    }
     const std::vector<std::string> changes = sanitize(parameters);
     if (!changes.empty()) throw py::value_error("these do not go together: " + changes.front());
     segmenter_.setParameters(parameters);

@@ -127,6 +127,7 @@ void FrameProcessor::process(const InputFrame& frame) {
                              explain(poses.target, locator_.parameters().frames.tf_patience));
     return;
   }
+  const ProcessingTime::Frame frame_time(processing_time_);
   const Segmentation& segmentation = segmenter_.segment();
   if (segmenter_.isStopped()) return;
   warnings_.checkSegmentation(input, segmenter_.range(), segmentation);

@@ -14,6 +14,7 @@
 #include "line_plane_segmentation/ros/parameter_config.h"
 #include "outputs.h"
 #include "plane_locator.h"
+#include "processing_time.h"
 #include "robot_messages.h"
 #include "transform_listener.h"
 
@@ -40,8 +41,8 @@ class FrameProcessor {
 
   FrameQueue& queue() { return worker_.queue(); }
   FrameStatistics& statistics() { return statistics_; }
-  /// Returns how long the current frame has been processed so far; 0 between frames.
-  std::chrono::steady_clock::duration timeInFrame() const { return worker_.timeInFrame(); }
+  /// Time of the current frame, without waiting for transforms.
+  const ProcessingTime& processingTime() const { return processing_time_; }
 
  private:
   void process(const InputFrame& frame);
@@ -55,6 +56,7 @@ class FrameProcessor {
   const Outputs& outputs_;
   const TransformListener& transforms_;
   FrameStatistics statistics_;
+  ProcessingTime processing_time_;
 
   std::mutex parameters_mutex_;
   NodeletParameters parameters_;

@@ -17,18 +17,10 @@ FrameWorker::~FrameWorker() {
   thread_.join();
 }
 
-std::chrono::steady_clock::duration FrameWorker::timeInFrame() const {
-  const std::chrono::steady_clock::duration started = frame_started_;
-  if (started == started.zero()) return started;
-  return std::chrono::steady_clock::now().time_since_epoch() - started;
-}
-
 void FrameWorker::run() {
   InputFrame frame;
   while (queue_.pop(frame)) {
-    frame_started_ = std::chrono::steady_clock::now().time_since_epoch();
     processSafely(frame);
-    frame_started_ = std::chrono::steady_clock::duration::zero();
     // Releases the messages before waiting for the next frame: their publisher may wait for that.
     frame = InputFrame{};
   }

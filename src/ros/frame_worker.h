@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <atomic>
-#include <chrono>
 #include <cstddef>
 #include <functional>
 #include <string>
@@ -36,10 +34,6 @@ class FrameWorker {
   FrameQueue& queue() { return queue_; }
   const FrameQueue& queue() const { return queue_; }
 
-  /// Returns how long the current frame has been processed so far; 0 between frames. May be called from any
-  /// thread.
-  std::chrono::steady_clock::duration timeInFrame() const;
-
  private:
   void run();
   void processSafely(const InputFrame& frame);
@@ -48,7 +42,6 @@ class FrameWorker {
   const Process process_;
   const Failed failed_;
   FrameQueue queue_;
-  std::atomic<std::chrono::steady_clock::duration> frame_started_{};  // since the clock's epoch; 0: no frame
   std::thread thread_;
 };
 

@@ -107,17 +107,6 @@ void refuseTooLong(const std::string& name, const std::string& current, std::str
   frame = current;
 }
 
-// Names what was changed without an effect on the method.
-void reportUnused(const ConfigMessage& current, const Parameters& parameters,
-                  std::vector<std::string>& changes) {
-  visitParameters(parameters, [&](const char* name, const auto& value, auto, auto) {
-    auto before = value;
-    read(current, name, before);
-    const std::string no_effect = noEffect(name, parameters.method);
-    if (!(before == value) && !no_effect.empty()) changes.push_back(no_effect);
-  });
-}
-
 bool isFallback(const std::string& text) { return text == kNoTransform || text == kLatestTransform; }
 
 void refuseUnknownFallback(const std::string& current, std::string& fallback,
@@ -133,24 +122,12 @@ void removeLeadingSlashes(const std::string& name, std::string& frame, std::vect
   changes.push_back(name + " starts with a slash, which tf2 refuses: it is cut off");
 }
 
-bool isSame(const Parameters& a, const Parameters& b) {
-  ConfigMessage message;
-  visitParameters(b, [&](const char* name, const auto& value, auto, auto) { append(message, name, value); });
-  bool same = true;
-  visitParameters(a, [&](const char* name, const auto& value, auto, auto) {
-    auto other = value;
-    read(message, name, other);
-    same = same && other == value;
-  });
-  return same;
-}
-
 constexpr char kNoPreset[] = "custom";
 
 std::string presetOf(const Parameters& method) {
   for (const char* name : kPresetNames) {
     Parameters preset;
-    if (loadPreset(name, preset) && isSame(preset, method)) return name;
+    if (loadPreset(name, preset) && valuesOf(preset) == valuesOf(method)) return name;
   }
   return kNoPreset;
 }
@@ -228,8 +205,10 @@ NodeletParameters reconfigured(const NodeletParameters& current, PlaneSegmenterC
     removeLeadingSlashes(name, frame, changes);
   });
   refuseUnknownFallback(current.location.frames.tf_fallback, parameters.location.frames.tf_fallback, changes);
-  if (parameters.method.method == current.method.method)
-    reportUnused(current_message, parameters.method, changes);
+  if (parameters.method.method == current.method.method) {
+    const std::vector<std::string> unused = changesWithoutEffect(current.method, parameters.method);
+    changes.insert(changes.end(), unused.begin(), unused.end());
+  }
   applyPreset(current, parameters, changes);
   const std::vector<std::string> fixed = sanitize(parameters.method);
   changes.insert(changes.end(), fixed.begin(), fixed.end());

@@ -145,7 +145,7 @@ void PlaneSegmenterNodelet::reportStatus(diagnostic_updater::DiagnosticStatusWra
     status.newly_lost = status.lost - std::exchange(reported_lost_, status.lost);
     const std::uint64_t late = subscription_->lateInfos();
     status.newly_late = late - std::exchange(reported_late_, late);
-    status.time_in_frame = processor_->timeInFrame();
+    status.time_in_frame = processor_->processingTime().elapsed();
     status.frames = processor_->statistics().take();
     // Set here as well, since the updater's own value takes effect one report later.
     if (!status.frames.frame_id.empty()) diagnostics.hardware_id = status.frames.frame_id;

@@ -14,15 +14,6 @@
 namespace line_plane_segmentation {
 namespace {
 
-/// All values in the order of visitParameters().
-std::vector<double> valuesOf(const Parameters& parameters) {
-  std::vector<double> values;
-  visitParameters(parameters, [&](const char*, const auto& value, auto, auto) {
-    values.push_back(static_cast<double>(value));
-  });
-  return values;
-}
-
 std::vector<std::string> names() {
   std::vector<std::string> names;
   const Parameters parameters;
@@ -263,6 +254,19 @@ TEST(Presets, OfStereoCamerasHaveErrorsThatGrowWithTheSquaredDepth) {
   EXPECT_GT(near.noise.sigma(2.0), stereo.noise.sigma(2.0));
   EXPECT_LT(tof.noise.sigma(3.5), 0.1 * stereo.noise.sigma(3.5));
   for (const Parameters& p : {stereo, near, tof}) EXPECT_EQ(p.noise.scale, 0.0) << "measured in each image";
+}
+
+TEST(ChangesWithoutEffect, AreThoseOfParametersThatTheMethodDoesNotUse) {
+  Parameters before, after;
+  EXPECT_TRUE(changesWithoutEffect(before, after).empty());
+  after.lines.line_fidelity = 2.0;
+  after.clusters.merge_cost = 3.0;
+  EXPECT_EQ(changesWithoutEffect(before, after),
+            std::vector<std::string>{"line_fidelity has no effect on the method adaptive"});
+  after.method = before.method = Method::kPaper;
+  EXPECT_EQ(changesWithoutEffect(before, after),
+            std::vector<std::string>{"merge_cost has no effect on the method paper"});
+  EXPECT_EQ(changesWithoutEffect(after, after), std::vector<std::string>{});
 }
 
 TEST(Presets, OfAnUnknownNameChangeNothing) {

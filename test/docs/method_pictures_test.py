@@ -1,28 +1,20 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
 """scripts/method_pictures.py draws every stage, and doc/method.md shows each picture that it draws and no other."""
-import os
 import pathlib
 import re
-import subprocess
-import sys
-import tempfile
 import unittest
 
-import numpy as np
 from PIL import Image
 
-from tuning_page_test import ROOT, room
+from pages import Made, ROOT
 
 MAX_BYTES = 60000
 
 
 class MethodPictures(unittest.TestCase):
     def test_draws_the_pictures_of_the_page(self):
-        with tempfile.TemporaryDirectory() as folder:
-            np.save(os.path.join(folder, "room.npy"), room())
-            subprocess.run([sys.executable, str(ROOT / "scripts" / "method_pictures.py"), "--depth",
-                            os.path.join(folder, "room.npy"), "--out", folder], check=True)
+        with Made("method_pictures.py") as folder:
             drawn = {path.stem: Image.open(path).copy() for path in pathlib.Path(folder).glob("*.png")}
         self.assertLessEqual({"scanlines", "line_segments", "candidates", "extraction", "labels", "refinement",
                               "outlines"}, set(drawn))

@@ -91,27 +91,6 @@ TEST(FrameWorker, waitsForTheFrameThatIsBeingProcessed) {
   EXPECT_TRUE(finished);
 }
 
-TEST(FrameWorker, tellsHowLongAFrameTakes) {
-  std::promise<void> begun, done;
-  std::shared_future<void> may_end = done.get_future().share();
-  FrameWorker worker(
-      10,
-      [&](const InputFrame&) {
-        begun.set_value();
-        may_end.wait();
-      },
-      [](const std::string&) {});
-  EXPECT_EQ(worker.timeInFrame().count(), 0);
-  worker.queue().push(frameWithNumber(4));
-  begun.get_future().wait();
-  std::this_thread::sleep_for(std::chrono::milliseconds(20));
-  EXPECT_GE(worker.timeInFrame(), std::chrono::milliseconds(20));
-  done.set_value();
-  for (int i = 0; i < 1000 && worker.timeInFrame().count() != 0; ++i)
-    std::this_thread::sleep_for(std::chrono::milliseconds(5));
-  EXPECT_EQ(worker.timeInFrame().count(), 0);
-}
-
 TEST(FrameWorker, keepsNoFrame) {
   std::promise<void> processed;
   FrameWorker worker(

@@ -271,6 +271,16 @@ TEST_F(Presets, giveWayToWhatIsChangedBesideOrAfterThem) {
   EXPECT_EQ("short_range", config_.preset) << "it is again";
 }
 
+TEST_F(Presets, areAllOffered) {
+  const auto descriptions = PlaneSegmenterConfig::__getParamDescriptions__();
+  const auto preset = std::find_if(descriptions.begin(), descriptions.end(),
+                                   [](const auto& parameter) { return parameter->name == "preset"; });
+  ASSERT_NE(preset, descriptions.end());
+  for (const char* name : kPresetNames) {
+    EXPECT_NE((*preset)->edit_method.find("'value': '" + std::string(name) + "'"), std::string::npos) << name;
+  }
+}
+
 TEST_F(Presets, ofUnknownNamesAreRefused) {
   config_.preset = "long_range";
   request();

@@ -1,9 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Row 27: the nodelet is loaded and unloaded repeatedly while images arrive at 30 Hz: no crash, no
+// Rows 27 and 58: the nodelet is loaded and unloaded repeatedly while images arrive at 30 Hz: no crash, no
 // deadlock, no leak in the manager.
+#include <diagnostic_msgs/DiagnosticArray.h>
 #include <gtest/gtest.h>
 #include <line_plane_segmentation/PlaneArray.h>
 #include <nodelet/NodeletList.h>
+
+#include <algorithm>
+#include <cstring>
+#include <string>
 
 #include "nodelet_calls.h"
 #include "test_camera.h"
@@ -66,6 +71,46 @@ TEST_F(Reload, worksEachTimeAndLeavesNothingBehind) {
   nodelet::NodeletList list;
   ASSERT_TRUE(ros::service::call("manager/list", list)) << "the manager is dead";
   EXPECT_TRUE(list.response.nodelets.empty());
+}
+
+// Blocks near and far, and parameters that make a candidate of nearly every pixel: a frame takes many
+// seconds.
+TEST_F(Reload, givesASlowFrameUp) {
+  for (int v = 0; v < 480; ++v) {
+    for (int u = 0; u < 640; ++u) {
+      const auto millimetres = static_cast<std::uint16_t>(1000 + 30 * ((u / 24 + 3 * (v / 24)) % 50));
+      std::memcpy(&image_.data[static_cast<std::size_t>(v) * image_.step + 2U * static_cast<std::size_t>(u)],
+                  &millimetres, sizeof(millimetres));
+    }
+  }
+  ros::NodeHandle slow("/slow_segmenter");
+  slow.setParam("preset", "paper");
+  slow.setParam("scanline_spacing", 1);
+  slow.setParam("points_per_segment", 5);
+  slow.setParam("line_window", 5);
+  slow.setParam("min_line_points", 10);
+  slow.setParam("normal_window", 6);
+  slow.setParam("min_window_points", 6);
+  slow.setParam("max_curvature", 0.33);
+  slow.setParam("min_plane_inliers", 1);
+  slow.setParam("plane_distance", 0.5);
+  slow.setParam("neighbor_distance", 0.02);
+  ASSERT_TRUE(loadSegmenter("/slow_segmenter"));
+  const Inbox<PlaneArray> planes("slow_segmenter/planes");
+  ASSERT_TRUE(waitUntil([this] { return camera_.imageSubscribers() > 0; }));
+  const Inbox<diagnostic_msgs::DiagnosticArray> diagnostics("/diagnostics");
+  const auto isReported = [&diagnostics] {
+    const auto report = diagnostics.newest();
+    return report && std::any_of(report->status.begin(), report->status.end(), [](const auto& status) {
+             return status.name.find("slow_segmenter") != std::string::npos &&
+                    status.message.find("the current frame has taken") != std::string::npos;
+           });
+  };
+  publishNext();
+  EXPECT_TRUE(waitUntil(isReported, 20.0));
+  EXPECT_TRUE(unloadSegmenter("/slow_segmenter"));
+  spinFor(0.5);
+  EXPECT_EQ(0, planes.count()) << "the frame was processed to its end";
 }
 
 }  // namespace

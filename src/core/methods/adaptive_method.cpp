@@ -43,7 +43,7 @@ void AdaptiveMethod::detectCandidates(const Frame& frame) {
   crossing_detector_.detect(frame.rays, rows_, columns_, frame.parameters, grid_);
 }
 
-void AdaptiveMethod::extractPlanes(const Frame& frame, LabeledPlanes& planes) {
+void AdaptiveMethod::extractPlanes(const Frame& frame, StageObserver&, LabeledPlanes& planes) {
   clusterer_.cluster(frame.depth, frame.rays, grid_, frame.parameters, distortion_, clusters_, cluster_at_);
   assigner_.assign(frame.depth, frame.rays, grid_, clusters_, cluster_at_, frame.parameters, planes.runs);
   continuation_.find(frame.rays, grid_, clusters_, cluster_at_, frame.parameters, plane_of_);

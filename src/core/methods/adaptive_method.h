@@ -19,7 +19,7 @@ class AdaptiveMethod final : public SegmentationMethod {
  public:
   void extractLines(Frame& frame) override;
   void detectCandidates(const Frame& frame) override;
-  void extractPlanes(const Frame& frame, LabeledPlanes& planes) override;
+  void extractPlanes(const Frame& frame, StageObserver& observer, LabeledPlanes& planes) override;
   void refine(const Frame& frame, LabeledPlanes& planes) override;
   void describe(const Frame& frame, std::vector<LineSegment>& segments,
                 std::vector<PlaneCandidate>& candidates) const override;

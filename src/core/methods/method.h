@@ -20,8 +20,7 @@ struct Frame {
   DepthImage depth;
   ViewRays rays;
   CameraIntrinsics camera;
-  Parameters parameters;              ///< resolved for the image
-  StageObserver* observer = nullptr;  ///< asked for a stop during long stages; null: nobody asks
+  Parameters parameters;  ///< resolved for the image
 };
 
 /// The result of the stage "extraction".
@@ -46,7 +45,8 @@ class SegmentationMethod {
   virtual void detectCandidates(const Frame& frame) = 0;
 
   /// Planes, from the candidates.
-  virtual void extractPlanes(const Frame& frame, LabeledPlanes& planes) = 0;
+  /// @param observer  may end the stage early
+  virtual void extractPlanes(const Frame& frame, StageObserver& observer, LabeledPlanes& planes) = 0;
 
   /// Cleans the labels; part of the stage "refinement".
   virtual void refine(const Frame& frame, LabeledPlanes& planes) = 0;

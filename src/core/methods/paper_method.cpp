@@ -14,10 +14,10 @@ void PaperMethod::detectCandidates(const Frame& frame) {
                                             candidates_);
 }
 
-void PaperMethod::extractPlanes(const Frame& frame, LabeledPlanes& planes) {
+void PaperMethod::extractPlanes(const Frame& frame, StageObserver& observer, LabeledPlanes& planes) {
   labels_.assign(frame.depth.z.size(), 0);
-  planes.label_count = plane_extractor_.extract(frame.depth, frame.rays, candidates_, frame.parameters,
-                                                labels_, frame.observer);
+  planes.label_count =
+      plane_extractor_.extract(frame.depth, frame.rays, candidates_, frame.parameters, labels_, &observer);
   planes.runs.scan(labels_, frame.depth.width, frame.depth.height);
   planes.estimates.clear();
 }

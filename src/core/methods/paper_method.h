@@ -16,7 +16,7 @@ class PaperMethod final : public SegmentationMethod {
  public:
   void extractLines(Frame& frame) override;
   void detectCandidates(const Frame& frame) override;
-  void extractPlanes(const Frame& frame, LabeledPlanes& planes) override;
+  void extractPlanes(const Frame& frame, StageObserver& observer, LabeledPlanes& planes) override;
   void refine(const Frame&, LabeledPlanes&) override {}  // the paper leaves it as future work
   void describe(const Frame& frame, std::vector<LineSegment>& segments,
                 std::vector<PlaneCandidate>& candidates) const override;
