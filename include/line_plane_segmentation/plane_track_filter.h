@@ -16,6 +16,10 @@ struct FusionParameters {
   /// [m] Standard deviation of the camera's position in one image. Increase to smooth more;
   /// decrease to follow changes faster.
   double fusion_pose_distance = 0.01;
+  /// [s] Standard deviation of the images' timestamps against those of the camera's pose: while the camera
+  /// moves, its pose is off by what it moves in that time. Increase to rely less on images of a moving
+  /// camera; decrease to rely more on them.
+  double fusion_timestamp_error = 0.033;
   /// [deg/sqrt(s)] Process noise of a normal, caused by drift of the camera's pose. Increase to
   /// follow changes faster; decrease to smooth more.
   double fusion_drift_angle = 0.1;
@@ -29,9 +33,21 @@ template <typename ParametersType, typename Visitor>
 void visitFusionParameters(ParametersType& p, Visitor&& visitor) {
   visitor("fusion_pose_angle", p.fusion_pose_angle, 0.0, 90.0);
   visitor("fusion_pose_distance", p.fusion_pose_distance, 0.0, 10.0);
+  visitor("fusion_timestamp_error", p.fusion_timestamp_error, 0.0, 10.0);
   visitor("fusion_drift_angle", p.fusion_drift_angle, 0.0, 90.0);
   visitor("fusion_drift_distance", p.fusion_drift_distance, 0.0, 10.0);
 }
+
+/// Velocity of the camera in the fixed frame.
+struct CameraVelocity {
+  Eigen::Vector3d angular = Eigen::Vector3d::Zero();  ///< [rad/s]
+  Eigen::Vector3d linear = Eigen::Vector3d::Zero();   ///< [m/s] of the optical centre
+
+  /// Mean velocity between two poses, or zero if the time is not positive.
+  /// @param seconds  [s] from the first pose to the second
+  static CameraVelocity between(const Eigen::Isometry3d& first, const Eigen::Isometry3d& second,
+                                double seconds);
+};
 
 /// Kalman filter of one static plane in a fixed frame, observed by a moving camera.
 ///
@@ -45,8 +61,9 @@ class PlaneTrackFilter {
   /// Initialises the state with a first measurement.
   /// @param measured            plane with covariance in the camera's optical frame
   /// @param fixed_from_optical  pose of the camera in the fixed frame
+  /// @param velocity            of the camera; zero leaves out the error of timestamps
   PlaneTrackFilter(const SegmentedPlane& measured, const Eigen::Isometry3d& fixed_from_optical,
-                   const FusionParameters& parameters);
+                   const FusionParameters& parameters, const CameraVelocity& velocity = {});
 
   /// Adds the process noise of a time span.
   /// @param seconds  [s] not negative
@@ -56,7 +73,7 @@ class PlaneTrackFilter {
   /// changed.
   /// @return squared Mahalanobis distance between measurement and prediction; 3 degrees of freedom
   double update(const SegmentedPlane& measured, const Eigen::Isometry3d& fixed_from_optical,
-                const FusionParameters& parameters);
+                const FusionParameters& parameters, const CameraVelocity& velocity = {});
 
   /// Coefficients in the fixed frame: n . p + d = 0, the unit normal toward the camera.
   const Eigen::Vector3d& normal() const { return normal_; }
@@ -76,9 +93,9 @@ class PlaneTrackFilter {
  private:
   struct Measurement;
   Measurement measurementOf(const SegmentedPlane& measured, const Eigen::Isometry3d& fixed_from_optical,
-                            const FusionParameters& parameters) const;
+                            const FusionParameters& parameters, const CameraVelocity& velocity) const;
   void start(const SegmentedPlane& measured, const Eigen::Isometry3d& fixed_from_optical,
-             const FusionParameters& parameters);
+             const FusionParameters& parameters, const CameraVelocity& velocity);
   void rotate(const Eigen::Vector2d& vector);
 
   Eigen::Vector3d anchor_;               // [m] in the fixed frame

@@ -39,20 +39,21 @@ void TrackedPlanes::removeHidden(const ros::Time& stamp, double memory) {
 }
 
 void TrackedPlanes::updateTrack(const SegmentedFrame& frame, const PublishedPlane& published, double seconds,
-                                const FusionParameters& parameters) {
+                                const CameraVelocity& velocity, const FusionParameters& parameters) {
   const Eigen::Isometry3d& fixed_from_optical = *frame.published.poses.fixed_from_optical;
   const ros::Time& stamp = frame.header.stamp;
   // In the optical frame, where its covariance is smallest.
   const SegmentedPlane& measured = frame.segmentation.planes[published.plane.label - std::size_t{1}];
   auto track = tracks_.find(published.id);
   if (track == tracks_.end()) {
-    track =
-        tracks_.emplace(published.id, Track{PlaneTrackFilter(measured, fixed_from_optical, parameters), {}})
-            .first;
+    track = tracks_
+                .emplace(published.id,
+                         Track{PlaneTrackFilter(measured, fixed_from_optical, parameters, velocity), {}})
+                .first;
     track->second.message.first_seen = stamp;
   } else {
     track->second.filter.predict(seconds, parameters);
-    track->second.filter.update(measured, fixed_from_optical, parameters);
+    track->second.filter.update(measured, fixed_from_optical, parameters, velocity);
   }
   const PlaneTrackFilter& filter = track->second.filter;
   TrackedPlane& message = track->second.message;
@@ -82,12 +83,16 @@ TrackedPlaneArray::Ptr TrackedPlanes::fuse(const SegmentedFrame& frame, const Fu
       poses.fixed_frame != fixed_frame_) {
     tracks_.clear();
   }
+  const bool has_last_pose = last_stamp_ && poses.fixed_frame == fixed_frame_;
+  const CameraVelocity velocity = CameraVelocity::between(
+      has_last_pose ? last_pose_ : *poses.fixed_from_optical, *poses.fixed_from_optical, seconds);
   fixed_frame_ = poses.fixed_frame;
   last_stamp_ = stamp;
+  last_pose_ = *poses.fixed_from_optical;
 
   for (auto& [id, track] : tracks_) track.message.visible = false;
   for (const PublishedPlane& published : frame.published.planes) {
-    if (published.id < kFirstUntrackedId) updateTrack(frame, published, seconds, parameters);
+    if (published.id < kFirstUntrackedId) updateTrack(frame, published, seconds, velocity, parameters);
   }
   auto message = boost::make_shared<TrackedPlaneArray>();
   message->header.stamp = stamp;

@@ -36,11 +36,12 @@ class TrackedPlanes {
 
   void removeHidden(const ros::Time& stamp, double memory);
   void updateTrack(const SegmentedFrame& frame, const PublishedPlane& published, double seconds,
-                   const FusionParameters& parameters);
+                   const CameraVelocity& velocity, const FusionParameters& parameters);
 
   std::map<std::uint32_t, Track> tracks_;  // by id
   std::string fixed_frame_;
   std::optional<ros::Time> last_stamp_;
+  Eigen::Isometry3d last_pose_;  // of the camera in the fixed frame, with last_stamp_
 };
 
 }  // namespace line_plane_segmentation

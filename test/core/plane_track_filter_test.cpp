@@ -148,6 +148,66 @@ TEST_F(Fusion, accountsForErrorsOfThePose) {
   EXPECT_NEAR(of_offset + kDistance * kDistance, at_point.dot(covariance * at_point), 0.1 * of_offset);
 }
 
+// The covariance with an error of the time is that of measurements with poses of another time.
+TEST_F(Fusion, accountsForErrorsOfTimestamps) {
+  parameters_.fusion_timestamp_error = 0.05;
+  const CameraVelocity velocity{{0.3, -0.5, 0.4}, {0.2, -0.3, 0.6}};
+  const SegmentedPlane exact = measured(0.0, 0.0, 0.0);
+  const PlaneTrackFilter filter(exact, pose_, parameters_, velocity);
+  Random random(23);
+  const Eigen::Vector3d point = pose_ * centroid_;
+  double of_normal = 0.0, of_offset = 0.0;
+  constexpr int kRuns = 2000;
+  for (int run = 0; run < kRuns; ++run) {
+    const double late = 0.05 * random.gaussian();
+    const Eigen::Vector3d turn = late * velocity.angular;
+    const Eigen::Vector3d center = pose_.translation() + late * velocity.linear;
+    const Eigen::Vector3d normal =
+        Eigen::AngleAxisd(turn.norm(), turn.normalized()) * (pose_.linear() * exact.normal);
+    of_normal += std::pow(angleOf(trueNormal(), normal), 2) / kRuns;
+    of_offset += std::pow(normal.dot(point - center) + exact.d, 2) / kRuns;
+  }
+  const Eigen::Matrix4d covariance = filter.covariance();
+  Eigen::Vector4d at_point;
+  at_point << point, 1.0;
+  const Eigen::Matrix3d covariance_of_normal = covariance.topLeftCorner<3, 3>();
+  EXPECT_NEAR(of_normal + 2.0 * kAngle * kAngle, covariance_of_normal.trace(), 0.1 * of_normal);
+  EXPECT_NEAR(of_offset + kDistance * kDistance, at_point.dot(covariance * at_point), 0.1 * of_offset);
+}
+
+// Timestamps that are late by more than the tracker expects of a camera at rest: it turns to and fro at
+// 60 degrees per second, and each orientation is three degrees ahead.
+TEST_F(Fusion, holdsAPlaneWhileTheCameraTurns) {
+  const double seconds = 1.0 / 30.0, rate = M_PI / 3.0, ahead = 0.05 * rate;
+  parameters_.fusion_pose_angle = 0.5;
+  PlaneTrackFilter filter(measured(0.0, 0.0, 0.0), pose_, parameters_);
+  for (int i = 0; i < 120; ++i) {
+    const double direction = i / 40 % 2 == 0 ? 1.0 : -1.0;
+    CameraVelocity velocity;
+    velocity.angular = direction * rate * (pose_.linear() * normal_.unitOrthogonal());
+    Eigen::Isometry3d wrong = pose_;
+    wrong.linear() = Eigen::AngleAxisd(ahead, velocity.angular.normalized()) * pose_.linear();
+    filter.predict(seconds, parameters_);
+    filter.update(measured(0.0, 0.0, 0.0), wrong, parameters_, velocity);
+    EXPECT_LT(angleOf(trueNormal(), filter.normal()), 0.8 * ahead) << "image " << i;
+  }
+  EXPECT_GT(filter.observations(), 110U) << "no restart";
+}
+
+TEST(CameraVelocityTest, isThatBetweenTwoPoses) {
+  Eigen::Isometry3d first = Eigen::Isometry3d::Identity();
+  first.translate(Eigen::Vector3d(5.0, -2.0, 1.0)).rotate(Eigen::AngleAxisd(2.0, Eigen::Vector3d::UnitX()));
+  const Eigen::Vector3d angular(0.1, -0.7, 0.4), linear(0.3, 0.2, -0.5);
+  Eigen::Isometry3d second = first;
+  second.linear() = Eigen::AngleAxisd(0.25 * angular.norm(), angular.normalized()) * first.linear();
+  second.translation() += 0.25 * linear;
+  const CameraVelocity velocity = CameraVelocity::between(first, second, 0.25);
+  EXPECT_NEAR(0.0, (velocity.angular - angular).norm(), 1e-9);
+  EXPECT_NEAR(0.0, (velocity.linear - linear).norm(), 1e-9);
+  EXPECT_EQ(0.0, CameraVelocity::between(first, second, 0.0).angular.norm());
+  EXPECT_EQ(0.0, CameraVelocity::between(first, second, -1.0).linear.norm());
+}
+
 TEST_F(Fusion, withstandsAnOutlier) {
   Random random(7);
   PlaneTrackFilter filter(noisy(random), pose_, parameters_);

@@ -28,6 +28,16 @@ Eigen::Matrix<double, 3, 2> tangentOf(const Eigen::Vector3d& normal) {
 
 }  // namespace
 
+CameraVelocity CameraVelocity::between(const Eigen::Isometry3d& first, const Eigen::Isometry3d& second,
+                                       double seconds) {
+  CameraVelocity velocity;
+  if (!(seconds > 0.0)) return velocity;
+  const Eigen::AngleAxisd turn(second.linear() * first.linear().transpose());
+  velocity.angular = turn.angle() / seconds * turn.axis();
+  velocity.linear = (second.translation() - first.translation()) / seconds;
+  return velocity;
+}
+
 struct PlaneTrackFilter::Measurement {
   Eigen::Vector3d normal;      // in the fixed frame
   double offset;               // [m] at the anchor
@@ -38,7 +48,8 @@ struct PlaneTrackFilter::Measurement {
 // have large terms that cancel, if the frame's origin is far away.
 PlaneTrackFilter::Measurement PlaneTrackFilter::measurementOf(const SegmentedPlane& measured,
                                                               const Eigen::Isometry3d& fixed_from_optical,
-                                                              const FusionParameters& parameters) const {
+                                                              const FusionParameters& parameters,
+                                                              const CameraVelocity& velocity) const {
   const Eigen::Vector3d anchor = fixed_from_optical.inverse() * anchor_;
   Measurement measurement;
   measurement.normal = fixed_from_optical.linear() * measured.normal;
@@ -59,6 +70,11 @@ PlaneTrackFilter::Measurement PlaneTrackFilter::measurementOf(const SegmentedPla
   of_rotation.row(2) = n.cross(ray);
   const double angle = radians(parameters.fusion_pose_angle);
   measurement.covariance += angle * angle * of_rotation * of_rotation.transpose();
+  // An error in the timestamp moves the camera along its path.
+  Eigen::Vector3d of_time = of_rotation * velocity.angular;
+  of_time(2) -= n.dot(velocity.linear);
+  const double time = parameters.fusion_timestamp_error;
+  measurement.covariance += time * time * of_time * of_time.transpose();
   measurement.covariance(2, 2) += parameters.fusion_pose_distance * parameters.fusion_pose_distance;
 
   measurement.covariance.diagonal() +=
@@ -68,16 +84,16 @@ PlaneTrackFilter::Measurement PlaneTrackFilter::measurementOf(const SegmentedPla
 
 PlaneTrackFilter::PlaneTrackFilter(const SegmentedPlane& measured,
                                    const Eigen::Isometry3d& fixed_from_optical,
-                                   const FusionParameters& parameters) {
-  start(measured, fixed_from_optical, parameters);
+                                   const FusionParameters& parameters, const CameraVelocity& velocity) {
+  start(measured, fixed_from_optical, parameters, velocity);
 }
 
 void PlaneTrackFilter::start(const SegmentedPlane& measured, const Eigen::Isometry3d& fixed_from_optical,
-                             const FusionParameters& parameters) {
+                             const FusionParameters& parameters, const CameraVelocity& velocity) {
   anchor_ = fixed_from_optical * measured.centroid;
   normal_ = (fixed_from_optical.linear() * measured.normal).normalized();
   tangent_ = tangentOf(normal_);
-  const Measurement measurement = measurementOf(measured, fixed_from_optical, parameters);
+  const Measurement measurement = measurementOf(measured, fixed_from_optical, parameters, velocity);
   offset_ = measurement.offset;
   covariance_ = measurement.covariance;
   observations_ = 1;
@@ -104,8 +120,8 @@ void PlaneTrackFilter::rotate(const Eigen::Vector2d& vector) {
 }
 
 double PlaneTrackFilter::update(const SegmentedPlane& measured, const Eigen::Isometry3d& fixed_from_optical,
-                                const FusionParameters& parameters) {
-  Measurement measurement = measurementOf(measured, fixed_from_optical, parameters);
+                                const FusionParameters& parameters, const CameraVelocity& velocity) {
+  Measurement measurement = measurementOf(measured, fixed_from_optical, parameters, velocity);
   if (measurement.normal.dot(normal_) < 0.0) {
     measurement.normal = -measurement.normal;
     measurement.offset = -measurement.offset;
@@ -124,7 +140,7 @@ double PlaneTrackFilter::update(const SegmentedPlane& measured, const Eigen::Iso
   // Few measurements may be the wrong ones themselves: of two planes, seen as one.
   const int most = observations_ < kMaxOutliers / 2 ? 2 * static_cast<int>(observations_) : kMaxOutliers;
   if (outliers_ > most || !std::isfinite(distance)) {
-    start(measured, fixed_from_optical, parameters);
+    start(measured, fixed_from_optical, parameters, velocity);
     return distance;
   }
   measurement.covariance *= std::max(1.0, distance / kGate);
