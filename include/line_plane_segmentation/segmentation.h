@@ -27,7 +27,8 @@ struct SegmentedPlane {
   Covariance4d covariance = Covariance4d::Zero();
   std::uint32_t inliers = 0;  ///< number of pixels with the label
   double rms = 0.0;           ///< [m] root mean square orthogonal distance of the inliers to the plane
-  double area = 0.0;          ///< [m²] area of the visible surface, without holes
+  double area = 0.0;  ///< [m²] area of the visible surface, without holes but with pixels whose depth
+                      ///< is missing between those of the plane, as outlines go round them
 
   /// Rings of the outline, a range of Segmentation::rings: first the outer rings, counterclockwise as seen
   /// from the camera, the largest first; then the holes, clockwise. A point is inside the outline if an odd

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "depth/hole_filling.h"
+#include "depth/hole_kernels.h"
 #include "methods/adaptive_method.h"
 #include "methods/paper_method.h"
 #include "outline/outline.h"
@@ -40,13 +41,6 @@ int widthOfSamePixels(const CameraIntrinsics& camera, const DepthImage& depth) {
   return std::max(1, static_cast<int>(std::lround(std::min(width, bound))));
 }
 
-// Sets the labels of pixels without depth to 0.
-void clearInvalid(const DepthImage& depth, std::vector<std::uint16_t>& labels) {
-  for (std::size_t i = 0; i < labels.size(); ++i) {
-    if (!(depth.z[i] > 0.0F)) labels[i] = 0;
-  }
-}
-
 class SilentObserver final : public StageObserver {
  public:
   void frameStarted() override {}
@@ -75,7 +69,7 @@ struct PlaneSegmenter::Stages {
   void load(const DepthView& view, const CameraIntrinsics& camera);
   bool run(SegmentationMethod& method, StageObserver& observer);
   void refine(SegmentationMethod& method);
-  void removeFilledPixels();
+  void traceOutlines();
   void describe();
 };
 
@@ -91,23 +85,19 @@ void PlaneSegmenter::Stages::load(const DepthView& view, const CameraIntrinsics&
   is_perforated = !is_paper && hole_filler.fill(frame.parameters, frame.depth);
 }
 
-// Takes back what was filled in, so that only measured depth counts as part of a plane.
-void PlaneSegmenter::Stages::removeFilledPixels() {
-  if (!is_perforated) return;
-  const std::vector<std::uint8_t>& filled = hole_filler.filled();
-  for (std::size_t i = 0; i < filled.size(); ++i) {
-    if (filled[i] != 0) frame.depth.z[i] = 0.0F;
-  }
-}
-
 void PlaneSegmenter::Stages::refine(SegmentationMethod& method) {
   method.refine(frame, planes);
-  removeFilledPixels();
+  if (is_perforated) hole_filler.removeFilled(frame.depth);  // only measured depth is part of a plane
   measurement.measure(frame.depth, frame.rays, frame.camera, planes.label_count,
                       frame.parameters.extraction.min_plane_area, planes.runs, result, planes.estimates,
                       is_perforated);
   planes.runs.write(result.labels, frame.depth.width);
-  if (is_perforated) clearInvalid(frame.depth, result.labels);
+}
+
+// Outlines go round what was filled in; labels are of measured pixels only.
+void PlaneSegmenter::Stages::traceOutlines() {
+  outlines.trace(frame.camera, frame.parameters.outlines, planes.runs, result);
+  if (is_perforated) clearWithoutDepth(frame.depth.z.data(), result.labels.size(), result.labels.data());
 }
 
 // @return false if the observer requested a stop
@@ -125,7 +115,7 @@ bool PlaneSegmenter::Stages::run(SegmentationMethod& method, StageObserver& obse
   refine(method);
   described_method = &method;
   if (!finish(Stage::kRefinement)) return false;
-  outlines.trace(frame.camera, frame.parameters.outlines, planes.runs, result);
+  traceOutlines();
   return finish(Stage::kOutlines);
 }
 

@@ -81,11 +81,29 @@ TEST(HoleFiller, OfNothingIsNotPerforated) {
   EXPECT_FALSE(HoleFiller().fill(adaptiveParameters(kWidth), empty));
 }
 
+/// [m²] that the outline of a plane encloses, by half of the sum of its vertices' cross products.
+double enclosedArea(const Segmentation& result, const SegmentedPlane& plane) {
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  for (int r = plane.first_ring; r < plane.first_ring + plane.outer_ring_count + plane.hole_count; ++r) {
+    const Ring& ring = result.rings[r];
+    const Eigen::Vector3f* const vertices = result.vertices.data() + ring.first_vertex;
+    for (int i = 0; i < ring.vertex_count; ++i) {
+      const Eigen::Vector3f& next = vertices[(i + 1) % ring.vertex_count];
+      sum += vertices[i].cast<double>().cross(next.cast<double>());
+    }
+  }
+  return 0.5 * sum.norm();
+}
+
 // Planes as without the holes, down to a third of the pixels; only measured pixels are labelled and counted.
 TEST(PerforatedImages, HaveThePlanesOfTheDenseImage) {
   DepthImage dense = halves(surfaceAt(1.8, 0.5), surfaceAt(1.8, -0.5), kCamera, kWidth, kHeight);
   Random random(7);
   addNoise({}, 0.5, random, dense);
+  PlaneSegmenter dense_segmenter;
+  const std::vector<std::uint16_t> dense_pixels = toMillimetres(dense);
+  const double dense_area =
+      dense_segmenter.segment(viewOf(dense_pixels.data(), kWidth, kHeight), kCamera).planes.at(0).area;
   for (const DepthImage& depth :
        {latticed(dense, 8), latticed(dense, 3), banded(dense), speckled(dense, 0.5), speckled(dense, 0.66)}) {
     const std::vector<std::uint16_t> pixels = toMillimetres(depth);
@@ -100,7 +118,11 @@ TEST(PerforatedImages, HaveThePlanesOfTheDenseImage) {
       ++labelled;
     }
     EXPECT_EQ(labelled, result.assigned_pixels);
-    for (const SegmentedPlane& plane : result.planes) EXPECT_NEAR(plane.d, surfaceAt(1.8, 0.5).d, 0.02);
+    for (const SegmentedPlane& plane : result.planes) {
+      EXPECT_NEAR(plane.d, surfaceAt(1.8, 0.5).d, 0.02);
+      EXPECT_NEAR(plane.area, dense_area, 0.1 * dense_area);
+      EXPECT_NEAR(enclosedArea(result, plane), dense_area, 0.1 * dense_area);
+    }
   }
 }
 

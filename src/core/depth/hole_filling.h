@@ -24,13 +24,23 @@ class HoleFiller {
   /// 1 for each pixel that the last fill() filled, else 0; valid if it returned true.
   const std::vector<std::uint8_t>& filled() const { return filled_; }
 
+  /// Takes back what the last fill() filled, which returned true.
+  void removeFilled(DepthImage& depth) const;
+
  private:
-  void fillLine(float* first, std::uint8_t* filled, std::ptrdiff_t stride, int count);
+  void fillRows(DepthImage& depth);
+  void fillColumns(DepthImage& depth);
 
   int max_hole_ = 0;
   NoiseParameters noise_;
   double noise_factor_ = 0.0;
   std::vector<std::uint8_t> filled_;
+
+  // Of one row:
+  std::vector<std::uint8_t> marks_;
+  std::vector<int> columns_;
+  std::vector<int> last_valid_;  // row of the last valid pixel in each column
+  std::vector<int> holes_;
 };
 
 }  // namespace line_plane_segmentation

@@ -115,6 +115,7 @@ void BorderSimplifier::reset(const std::uint16_t* labels, int width, int height)
   height_ = height;
   words_per_row_ = static_cast<std::size_t>(width) / 64 + 1;
   const std::size_t words = words_per_row_ * (static_cast<std::size_t>(height) + 1);
+  work_left_ = std::int64_t{width} * height;
   once_.assign(words, 0);
   twice_.assign(words, 0);
 }
@@ -177,8 +178,9 @@ std::size_t BorderSimplifier::findSplit(const Corner* corners, const Piece& piec
   const std::size_t middle = piece.first + (piece.last - piece.first) / 2;
   const Corner from = corners[piece.first];
   const Corner along = corners[piece.last] - from;
-  if (along == Corner{}) return middle;
+  if (along == Corner{} || work_left_ <= 0) return middle;
 
+  work_left_ -= static_cast<std::int64_t>(piece.last - piece.first);
   const Deviation deviation = deviationOf(corners, piece.first, piece.last, from, along);
   const std::size_t split = piece.depth < kMaxGreedyDepth ? deviation.farthest : middle;
   const std::int64_t squared_length = dot(along, along);
@@ -202,6 +204,7 @@ std::size_t BorderSimplifier::findSplit(const Corner* corners, const Piece& piec
 
 bool BorderSimplifier::pullStraight(const Corner* corners, const Piece& piece, std::int64_t min_cross,
                                     std::int64_t max_cross) {
+  work_left_ -= 2 * static_cast<std::int64_t>(piece.last - piece.first);
   for (std::size_t i = piece.first; i <= piece.last; ++i) passNoMore(corners[i]);
   const bool free = sweepsFree(corners, piece, min_cross, max_cross);
   const std::size_t step = free ? piece.last - piece.first : 1;
@@ -211,7 +214,7 @@ bool BorderSimplifier::pullStraight(const Corner* corners, const Piece& piece, s
 
 /// Looks at all corners in the strip along the chord and the box that hold the piece, its own taken out.
 bool BorderSimplifier::sweepsFree(const Corner* corners, const Piece& piece, std::int64_t min_cross,
-                                  std::int64_t max_cross) const {
+                                  std::int64_t max_cross) {
   const Corner from = corners[piece.first];
   Corner low = from, high = from;
   for (std::size_t i = piece.first + 1; i <= piece.last; ++i) {
@@ -219,6 +222,7 @@ bool BorderSimplifier::sweepsFree(const Corner* corners, const Piece& piece, std
     high = {std::max(high.x, corners[i].x), std::max(high.y, corners[i].y)};
   }
   const Strip strip(from, corners[piece.last] - from, min_cross, max_cross);
+  work_left_ -= std::int64_t{high.y - low.y + 1} * (1 + (high.x - low.x) / 64);
   int others = 0;
   for (int y = low.y; y <= high.y; ++y) {
     int left = low.x, right = high.x;
@@ -229,8 +233,10 @@ bool BorderSimplifier::sweepsFree(const Corner* corners, const Piece& piece, std
       std::uint64_t bits = once_[word];
       if (word == first_word) bits &= fromColumn(left);
       if (word == last_word) bits &= upToColumn(right);
-      for (int x = static_cast<int>(word % words_per_row_) * 64; bits != 0; ++x, bits >>= 1) {
-        if ((bits & 1) == 0) continue;
+      const int first_x = static_cast<int>(word % words_per_row_) * 64;
+      for (; bits != 0; bits &= bits - 1) {
+        const int x = first_x + __builtin_ctzll(bits);
+        work_left_ -= static_cast<std::int64_t>(piece.last - piece.first);
         if (++others > kMaxOthers || sweepsOver(corners, piece, {x, y})) return false;
       }
     }
@@ -256,16 +262,22 @@ bool BorderSimplifier::sweepsOver(const Corner* corners, const Piece& piece, Cor
                       std::min(from.y, to.y) <= corner.y && corner.y <= std::max(from.y, to.y);
   if (beside && static_cast<double>(std::abs(side)) <= clearanceOf(along)) return true;
 
-  // Where the piece passes it too, the other pass is drawn in to the opposite side.
-  Eigen::Vector2d point(corner.x, corner.y);
+  // Where the piece passes it too, the other pass is drawn in to the opposite side, by less than a pixel.
+  Eigen::Vector2d inset(0.0, 0.0);
   for (std::size_t i = piece.first + 1; i < piece.last; ++i) {
-    if (corners[i] == corner) point -= insetAt(corners[i - 1], corner, corners[i + 1]);
+    if (corners[i] == corner) inset += insetAt(corners[i - 1], corner, corners[i + 1]);
   }
+  // The last columns and rows of corners left of the point and above it.
+  const int left = inset.x() > 0.0 ? corner.x - 1 : corner.x,
+            above = inset.y() > 0.0 ? corner.y - 1 : corner.y;
   // Crossings of the ray to the right.
-  const auto spans = [&point](Corner a, Corner b) { return (a.y > point.y()) != (b.y > point.y()); };
-  bool enclosed = spans(from, to) && (side > 0) == (along.y > 0);
+  const auto isBelow = [above](Corner c) { return c.y > above; };
+  bool enclosed = isBelow(from) != isBelow(to) && (side > 0) == (along.y > 0);
+  bool was_below = isBelow(from);
   for (std::size_t i = piece.first; i < piece.last; ++i) {
-    if (spans(corners[i], corners[i + 1]) && corners[i].x > point.x()) enclosed = !enclosed;
+    const bool is_below = isBelow(corners[i + 1]);
+    enclosed ^= (was_below != is_below) & (corners[i].x > left);
+    was_below = is_below;
   }
   return enclosed;
 }

@@ -32,7 +32,9 @@ class BorderSimplifier {
 
   /// Appends the points that remain of an announced border [px, corner (0, 0) of the image at (-0.5, -0.5)]:
   /// at least three, of the same orientation. All of the border lies within `tolerance` [px] of them, kInset
-  /// aside. Takes O(n log n) for n corners plus the length of the border.
+  /// aside. Takes O(n log n) for n corners plus the length of the border. Once all borders of the image have
+  /// taken as many steps as it has pixels, which only borders that wind closely do, the rest keep all of
+  /// their corners.
   void simplify(const Corner* corners, std::size_t count, double tolerance,
                 std::vector<Eigen::Vector2d>& points);
 
@@ -45,8 +47,7 @@ class BorderSimplifier {
   std::size_t findSplit(const Corner* corners, const Piece& piece, double squared_tolerance);
   bool pullStraight(const Corner* corners, const Piece& piece, std::int64_t min_cross,
                     std::int64_t max_cross);
-  bool sweepsFree(const Corner* corners, const Piece& piece, std::int64_t min_cross,
-                  std::int64_t max_cross) const;
+  bool sweepsFree(const Corner* corners, const Piece& piece, std::int64_t min_cross, std::int64_t max_cross);
   bool isPassedIn(int y, int left, int right) const;
   bool sweepsOver(const Corner* corners, const Piece& piece, Corner corner) const;
   Eigen::Vector2d insetAt(Corner before, Corner corner, Corner after) const;
@@ -64,6 +65,7 @@ class BorderSimplifier {
   const std::uint16_t* labels_ = nullptr;
   int width_ = 0, height_ = 0;
   std::size_t words_per_row_ = 0;
+  std::int64_t work_left_ = 0;  // [corners to look at] then borders keep all of their corners
   // One bit for each corner of the image: passed by what the borders are at the moment, and passed twice.
   std::vector<std::uint64_t> once_, twice_;
 };

@@ -12,10 +12,12 @@ namespace {
 
 constexpr std::size_t kMaxPlanes = 100;  // all pairs of the largest ones are compared: bounds the time
 
-// Whether at most a quarter of the pixels on the straight line between two candidates are behind the plane.
-bool isOccludedBetween(const CrossingCandidate& from, const CrossingCandidate& to,
-                       const InverseDepthPlane& plane, const DepthImage& depth, const ViewRays& rays,
-                       const Parameters& parameters) {
+}  // namespace
+
+// Whether less than a quarter of the pixels on the straight line between two candidates are behind the plane.
+bool CoplanarMerger::isOccludedBetween(Pixel from, Pixel to, const InverseDepthPlane& plane,
+                                       const DepthImage& depth, const ViewRays& rays,
+                                       const Parameters& parameters) {
   const double inverse_distance = plane.inverseDistance();
   const DepthTolerance tolerance{parameters.noise, 2.0 * parameters.extraction.distance_noise_factor,
                                  2.0 * parameters.extraction.plane_distance};
@@ -28,12 +30,11 @@ bool isOccludedBetween(const CrossingCandidate& from, const CrossingCandidate& t
     if (!(z > 0.0F)) continue;
     const double rho = 1.0 / static_cast<double>(z);
     const double expected = plane.at(static_cast<double>(rays.x[u]), static_cast<double>(rays.y[v]));
-    if (expected - rho > tolerance.at(rho, inverse_distance)) ++behind;
+    if (!(expected - rho > tolerance.at(rho, inverse_distance))) continue;
+    if (4 * ++behind >= steps) return false;
   }
   return 4 * behind < steps;
 }
-
-}  // namespace
 
 void CoplanarMerger::listPairs(const MergeTree& tree, const std::vector<int>& planes, double limit) {
   pairs_.clear();
@@ -50,43 +51,44 @@ void CoplanarMerger::listPairs(const MergeTree& tree, const std::vector<int>& pl
   });
 }
 
-// The candidate of a plane that is nearest in the image to another candidate.
-int CoplanarMerger::nearest(const CandidateGrid& grid, int plane, int to) const {
-  const auto at = [&grid](int i) -> const CrossingCandidate& { return grid.candidates[i]; };
-  const std::vector<int>& candidates = candidates_[plane];
-  int nearest = candidates.front();
+// The pixel of those, of a plane's candidates, that is nearest to another one.
+CoplanarMerger::Pixel CoplanarMerger::nearest(const std::vector<Pixel>& pixels, Pixel to) {
+  Pixel nearest = pixels.front();
   std::int64_t least = std::numeric_limits<std::int64_t>::max();
-  for (const int i : candidates) {
-    const std::int64_t du = at(i).u - at(to).u, dv = at(i).v - at(to).v;
+  for (const Pixel& pixel : pixels) {
+    const std::int64_t du = pixel.u - to.u, dv = pixel.v - to.v;
     if (du * du + dv * dv >= least) continue;
-    nearest = i;
+    nearest = pixel;
     least = du * du + dv * dv;
   }
   return nearest;
 }
 
-void CoplanarMerger::mergePairs(const DepthImage& depth, const ViewRays& rays, const CandidateGrid& grid,
-                                const Parameters& parameters, MergeTree& tree) {
+void CoplanarMerger::mergePairs(const DepthImage& depth, const ViewRays& rays, const Parameters& parameters,
+                                MergeTree& tree) {
   const double limit = parameters.clusters.coplanar_cost;
   const auto find = [this](int i) {
     while (merged_into_[i] != i) i = merged_into_[i];
     return i;
   };
-  const auto at = [&grid](int i) -> const CrossingCandidate& { return grid.candidates[i]; };
   for (const Pair& pair : pairs_) {
     const int a = find(pair.a), b = find(pair.b);
-    if (a == b) continue;
+    // Planes that have grown together meet again for each pair of their parts.
+    if (a == b || rejected_[indexOf(a, b)] != 0) continue;
+    rejected_[indexOf(a, b)] = 1;
     int& first = compared_[a];
     const int second = compared_[b];
     FittedPixels both;
     if (!tree.combine(first, second, both) || !(tree.costOf(first, second, both) < limit)) continue;
-    const int from = nearest(grid, a, candidates_[b].front());
-    const int to = nearest(grid, b, from);
-    if (!isOccludedBetween(at(from), at(to), both.plane, depth, rays, parameters)) continue;
+    const Pixel from = nearest(pixels_[a], pixels_[b].front());
+    const Pixel to = nearest(pixels_[b], from);
+    if (!isOccludedBetween(from, to, both.plane, depth, rays, parameters)) continue;
     first = tree.merge(first, second, both);
     merged_into_[b] = a;
-    std::vector<int>& all = candidates_[a];
-    const std::vector<int>& more = candidates_[b];
+    for (std::size_t i = 0; i < compared_.size(); ++i)
+      rejected_[indexOf(static_cast<int>(i), a)] = rejected_[indexOf(a, static_cast<int>(i))] = 0;
+    std::vector<Pixel>& all = pixels_[a];
+    const std::vector<Pixel>& more = pixels_[b];
     all.insert(all.end(), more.begin(), more.end());
   }
 }
@@ -106,13 +108,16 @@ void CoplanarMerger::merge(const DepthImage& depth, const ViewRays& rays, const 
   listPairs(tree, compared, limit);
   if (pairs_.empty()) return;
 
-  candidates_.resize(std::max(candidates_.size(), compared.size()));
+  pixels_.resize(std::max(pixels_.size(), compared.size()));
   merged_into_.clear();
   for (std::size_t i = 0; i < compared.size(); ++i) {
     merged_into_.push_back(static_cast<int>(i));
-    candidates_[i] = tree.candidatesOf(compared[i]);
+    pixels_[i].clear();
+    for (const int c : tree.candidatesOf(compared[i]))
+      pixels_[i].push_back({grid.candidates[c].u, grid.candidates[c].v});
   }
-  mergePairs(depth, rays, grid, parameters, tree);
+  rejected_.assign(compared.size() * compared.size(), 0);
+  mergePairs(depth, rays, parameters, tree);
   std::size_t kept = 0;
   for (std::size_t i = 0; i < planes.size(); ++i) {
     if (i >= compared.size())

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include "planes/merge_tree.h"
@@ -17,6 +19,10 @@ class CoplanarMerger {
              const Parameters& parameters, MergeTree& tree, std::vector<int>& planes);
 
  private:
+  struct Pixel {
+    int u, v;
+  };
+
   /// Two planes, by their indices in `planes`.
   struct Pair {
     double cost;
@@ -24,14 +30,21 @@ class CoplanarMerger {
   };
 
   void listPairs(const MergeTree& tree, const std::vector<int>& planes, double limit);
-  void mergePairs(const DepthImage& depth, const ViewRays& rays, const CandidateGrid& grid,
-                  const Parameters& parameters, MergeTree& tree);
-  int nearest(const CandidateGrid& grid, int plane, int to) const;
+  void mergePairs(const DepthImage& depth, const ViewRays& rays, const Parameters& parameters,
+                  MergeTree& tree);
+  static Pixel nearest(const std::vector<Pixel>& pixels, Pixel to);
+  static bool isOccludedBetween(Pixel from, Pixel to, const InverseDepthPlane& plane, const DepthImage& depth,
+                                const ViewRays& rays, const Parameters& parameters);
+
+  std::size_t indexOf(int a, int b) const {
+    return static_cast<std::size_t>(a) * compared_.size() + static_cast<std::size_t>(b);
+  }
 
   std::vector<Pair> pairs_;
-  std::vector<int> compared_;                 // the planes compared, as they become
-  std::vector<std::vector<int>> candidates_;  // of each plane compared
-  std::vector<int> merged_into_;              // index in `planes` per plane, itself at first
+  std::vector<int> compared_;               // the planes compared, as they become
+  std::vector<std::vector<Pixel>> pixels_;  // of the candidates of each plane compared
+  std::vector<int> merged_into_;            // index in `planes` per plane, itself at first
+  std::vector<std::uint8_t> rejected_;      // pairs of planes that cannot be merged, as they are
 };
 
 }  // namespace line_plane_segmentation

@@ -39,9 +39,12 @@ struct PlaneExtractor::Scratch {
   std::vector<std::uint64_t> boundaries;  // of one row: a byte for each pixel and one more
   TileGrid tiles;
   RunComponents components;
+  std::vector<int> linked_component;  // of each candidate: its component of linked pixels
+  std::vector<int> linked_pixels;     // of it, not yet taken
   std::vector<Entry> queue;
 
-  void start(const DepthImage& depth, const ViewRays& rays, std::size_t candidates, double neighbor_distance);
+  void start(const DepthImage& depth, const ViewRays& rays, const std::vector<PlaneCandidate>& candidates,
+             double neighbor_distance);
   void tighten(Entry& entry, const PlaneCandidate& candidate, const ViewRays& rays, float plane_distance);
 
   void linkAll(const ViewRays& rays, float neighbor_distance) {
@@ -116,6 +119,23 @@ struct PlaneExtractor::Scratch {
     }
   }
 
+  // A plane's pixels are linked, so that the linked pixels around its candidate bound their number.
+  void countLinked(const std::vector<PlaneCandidate>& candidates) {
+    components.clear();
+    for (int v = 0; v < remaining.height; ++v) {
+      const float* z = remaining.row(v);
+      for (int u = 0; u < remaining.width; ++u) mask[u] = z[u] > 0.0F ? 1 : 0;
+      addRuns(v, 0, remaining.width);
+    }
+    linked_component.clear();
+    linked_pixels.clear();
+    for (const PlaneCandidate& candidate : candidates) {
+      const int component = components.componentAt(candidate.u, candidate.v);
+      linked_component.push_back(component);
+      linked_pixels.push_back(component < 0 ? 0 : components.pixelCount(component));
+    }
+  }
+
   // The component of the candidate's inliers, or -1 if its own pixel is none. The tiles must be those of its
   // bound.
   int grow(const PlaneCandidate& candidate, const ViewRays& rays, float plane_distance) {
@@ -131,7 +151,11 @@ struct PlaneExtractor::Scratch {
     return components.componentAt(candidate.u, candidate.v);
   }
 
-  void take(int component, std::uint16_t label, std::vector<std::uint16_t>& labels) {
+  void take(int candidate, int component, std::uint16_t label, std::vector<std::uint16_t>& labels) {
+    for (std::size_t i = 0; i < linked_pixels.size(); ++i) {
+      if (linked_component[i] == linked_component[candidate])
+        linked_pixels[i] -= components.pixelCount(component);
+    }
     for (const PixelRun& run : components.runsOf(component)) {
       for (int u = run.first; u < run.last; ++u) tiles.remove(u, run.row, 1);
       const std::size_t first = remaining.index(run.first, run.row),
@@ -147,16 +171,17 @@ struct PlaneExtractor::Scratch {
 PlaneExtractor::PlaneExtractor() : scratch_(std::make_unique<Scratch>()) {}
 PlaneExtractor::~PlaneExtractor() = default;
 
-void PlaneExtractor::Scratch::start(const DepthImage& depth, const ViewRays& rays, std::size_t candidates,
-                                    double neighbor_distance) {
+void PlaneExtractor::Scratch::start(const DepthImage& depth, const ViewRays& rays,
+                                    const std::vector<PlaneCandidate>& candidates, double neighbor_distance) {
   remaining = depth;
   mask.resize(static_cast<std::size_t>(depth.width));
   boundaries.resize(static_cast<std::size_t>(depth.width) / 8 + 1);
   linkAll(rays, static_cast<float>(neighbor_distance));
+  countLinked(candidates);
   tiles.build(depth);
   queue.clear();
-  for (std::size_t i = 0; i < candidates; ++i) {
-    queue.push_back({std::numeric_limits<int>::max(), static_cast<int>(i), 0, Bound::kStale});
+  for (std::size_t i = 0; i < candidates.size(); ++i) {
+    queue.push_back({linked_pixels[i], static_cast<int>(i), 0, Bound::kStale});
   }
   std::make_heap(queue.begin(), queue.end(), goesLater);
 }
@@ -167,7 +192,7 @@ void PlaneExtractor::Scratch::tighten(Entry& entry, const PlaneCandidate& candid
   const int tile_bound = bound(candidate, rays, plane_distance);
   switch (entry.kind) {
     case Bound::kStale:
-      entry.bound = std::min(entry.bound, tile_bound);
+      entry.bound = std::min({entry.bound, tile_bound, linked_pixels[entry.candidate]});
       entry.kind = Bound::kTiles;
       break;
     case Bound::kTiles:
@@ -189,7 +214,7 @@ int PlaneExtractor::extract(const DepthImage& depth, const ViewRays& rays,
                             std::vector<std::uint16_t>& labels, StageObserver* observer) {
   if (candidates.empty()) return 0;
   Scratch& s = *scratch_;
-  s.start(depth, rays, candidates.size(), parameters.extraction.neighbor_distance);
+  s.start(depth, rays, candidates, parameters.extraction.neighbor_distance);
   const float plane_distance = static_cast<float>(parameters.extraction.plane_distance);
   int round = 0;
   while (!s.queue.empty() && round < kMaxPlanes) {
@@ -208,7 +233,8 @@ int PlaneExtractor::extract(const DepthImage& depth, const ViewRays& rays,
     }
     if (entry.kind == Bound::kExact) {  // the most of all: nobody's bound is higher
       s.bound(candidate, rays, plane_distance);
-      s.take(s.grow(candidate, rays, plane_distance), static_cast<std::uint16_t>(++round), labels);
+      s.take(entry.candidate, s.grow(candidate, rays, plane_distance), static_cast<std::uint16_t>(++round),
+             labels);
       continue;
     }
     s.tighten(entry, candidate, rays, plane_distance);

@@ -38,13 +38,17 @@ PointMoments momentsOf(const PixelSums& sums) {
 void PlaneMeasurement::sumLabels(const DepthImage& depth, const ViewRays& rays, int label_count,
                                  const LabelRuns& image, bool has_invalid) {
   sums_.assign(static_cast<std::size_t>(label_count) + 1, PixelSums{});
+  filled_.assign(sums_.size(), 0.0);
   ray_x_.assign(rays.x.begin(), rays.x.end());
   for (const LabelRun& run : image.runs) {
     if (run.label == 0) continue;
     const float* z = depth.row(run.row) + run.first;
     PixelSums& sums = sums_[run.label];
     addRun(z, ray_x_.data() + run.first, static_cast<double>(rays.y[run.row]), run.pixels(), sums);
-    if (has_invalid) sums.pixels -= static_cast<double>(std::count(z, z + run.pixels(), 0.0F));
+    if (!has_invalid) continue;
+    const double invalid = static_cast<double>(std::count(z, z + run.pixels(), 0.0F));
+    sums.pixels -= invalid;
+    filled_[run.label] += invalid;
   }
 }
 
@@ -66,8 +70,9 @@ void PlaneMeasurement::measure(const DepthImage& depth, const ViewRays& rays, co
     // Where one looks along a plane of patches, the mean of its pixels may lie on the camera's other side.
     if (!(estimate.d > edge_on && -estimate.normal.dot(fit.centroid) > edge_on)) continue;
     // A pixel of depth z covers z² / (fx fy) facing the camera, and on the plane, seen under the angle whose
-    // cosine is d / (z |ray|) there, z³ / (d fx fy).
-    const double area = total(sums_[label].zzz) / (estimate.d * camera.fx * camera.fy);
+    // cosine is d / (z |ray|) there, z³ / (d fx fy). Filled pixels are as large as measured ones on average.
+    const double area = total(sums_[label].zzz) / (estimate.d * camera.fx * camera.fy) *
+                        (1.0 + filled_[label] / moments.count);
     if (!(area >= min_area)) continue;
     SegmentedPlane plane;
     plane.label = static_cast<std::uint16_t>(segmentation.planes.size() + 1);

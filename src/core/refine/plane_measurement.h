@@ -27,7 +27,7 @@ class PlaneMeasurement {
   /// @param estimates    the coefficients of label k are estimates[k - 1], or where there is none those of
   ///                     estimateFromPixels(); if the vector is empty, each is fitted by PCA to all of its
   ///                     pixels, as the paper has it
-  /// @param has_invalid  whether labels also cover pixels without depth, which are not counted
+  /// @param has_invalid  whether labels also cover pixels without depth, which count for the area only
   void measure(const DepthImage& depth, const ViewRays& rays, const CameraIntrinsics& camera, int label_count,
                double min_area, LabelRuns& image, Segmentation& result,
                const std::vector<std::optional<PlaneEstimate>>& estimates = {}, bool has_invalid = false);
@@ -37,6 +37,7 @@ class PlaneMeasurement {
                  bool has_invalid);
 
   std::vector<PixelSums> sums_;  // of each label
+  std::vector<double> filled_;   // pixels without depth of each label
   std::vector<double> ray_x_;    // of each column
   std::vector<std::uint16_t> new_label_;
 };

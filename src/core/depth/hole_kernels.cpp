@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "depth/hole_kernels.h"
+
+#include "kernels/multiversion.h"
+
+// Holes can be anywhere: loops without branches, which would be mispredicted.
+namespace line_plane_segmentation {
+
+LPS_MULTIVERSION
+void markValidityChanges(const float* __restrict z, int count, std::uint8_t* __restrict marks) {
+  if (count > 0) marks[0] = z[0] > 0.0F ? 1 : 0;
+  for (int u = 1; u < count; ++u) marks[u] = static_cast<std::uint8_t>((z[u] > 0.0F) != (z[u - 1] > 0.0F));
+}
+
+LPS_MULTIVERSION
+void markHoleEnds(const float* __restrict z, int count, int v, int max_hole, int* __restrict last_valid,
+                  int* __restrict holes, std::uint8_t* __restrict marks) {
+  for (int u = 0; u < count; ++u) {
+    const bool valid = z[u] > 0.0F;
+    const int last = last_valid[u], hole = v - last - 1;
+    holes[u] = hole;
+    marks[u] = static_cast<std::uint8_t>(valid & (hole > 0) & (hole <= max_hole));
+    last_valid[u] = valid ? v : last;
+  }
+}
+
+LPS_MULTIVERSION
+void clearMarked(const std::uint8_t* __restrict marks, std::size_t count, float* __restrict z) {
+  for (std::size_t i = 0; i < count; ++i) z[i] = marks[i] != 0 ? 0.0F : z[i];
+}
+
+LPS_MULTIVERSION
+void clearWithoutDepth(const float* __restrict z, std::size_t count, std::uint16_t* __restrict labels) {
+  for (std::size_t i = 0; i < count; ++i) labels[i] = z[i] > 0.0F ? labels[i] : std::uint16_t{0};
+}
+
+}  // namespace line_plane_segmentation

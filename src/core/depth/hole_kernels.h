@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+namespace line_plane_segmentation {
+
+/// Marks the columns of a row where valid depth begins or ends; the first one if it is valid.
+void markValidityChanges(const float* z, int count, std::uint8_t* marks);
+
+/// Marks the columns where a hole of at most `max_hole` pixels ends above a valid pixel of row v.
+/// @param last_valid  row of the last valid pixel in each column; updated
+/// @param holes       [pixel] length of the hole in each column, where one is marked
+void markHoleEnds(const float* z, int count, int v, int max_hole, int* last_valid, int* holes,
+                  std::uint8_t* marks);
+
+/// Sets the depth of marked pixels to 0.
+void clearMarked(const std::uint8_t* marks, std::size_t count, float* z);
+
+/// Sets the label of pixels without depth to 0.
+void clearWithoutDepth(const float* z, std::size_t count, std::uint16_t* labels);
+
+}  // namespace line_plane_segmentation

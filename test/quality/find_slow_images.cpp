@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Searches for pictures that take the segmenter long: random patterns, of which the slowest are changed
+// again and again. Run by scripts/find_slow_images.
+#include <algorithm>
+#include <chrono>
+#include <cstdlib>
+#include <iomanip>
+#include <iostream>
+#include <string>
+#include <vector>
+
+#include "quality/slow_images.h"
+
+namespace line_plane_segmentation {
+namespace {
+
+constexpr std::size_t kKept = 12;
+constexpr int kRuns = 3, kFinalRuns = 15;
+
+struct Tried {
+  double seconds;
+  Pattern pattern;
+};
+
+void search(SlowImages& images, double seconds, std::vector<Tried>& slowest) {
+  Random random(1);
+  const auto end = std::chrono::steady_clock::now() + std::chrono::duration<double>(seconds);
+  while (std::chrono::steady_clock::now() < end) {
+    const bool is_new = slowest.size() < kKept || random.chance(0.3);
+    const std::size_t parent = static_cast<std::size_t>(random.integer(0, static_cast<int>(kKept) - 1));
+    const Pattern pattern = is_new ? randomPattern(random) : changedPattern(slowest[parent].pattern, random);
+    const Tried tried{images.secondsOf(draw(pattern, SlowImages::kWidth, SlowImages::kHeight), kRuns),
+                      pattern};
+    // One of each name.
+    const bool is_known = std::any_of(slowest.begin(), slowest.end(), [&](const Tried& other) {
+      return other.pattern.name() == pattern.name();
+    });
+    if (!is_known) slowest.push_back(tried);
+    std::sort(slowest.begin(), slowest.end(),
+              [](const Tried& a, const Tried& b) { return a.seconds > b.seconds; });
+    slowest.resize(std::min(slowest.size(), kKept));
+  }
+}
+
+int run(const std::string& preset, double seconds) {
+  Parameters parameters;
+  if (!loadPreset(preset, parameters)) {
+    std::cerr << "find_slow_images: there is no preset " << preset << '\n';
+    return 1;
+  }
+  SlowImages images(parameters);
+  std::vector<Tried> slowest;
+  search(images, seconds, slowest);
+  const double room = images.secondsOfRoom(kFinalRuns);
+  std::cout << std::fixed << std::setprecision(2) << preset << ": a room takes " << 1e3 * room << " ms\n";
+  for (const Tried& tried : slowest) {
+    const double time =
+        images.secondsOf(draw(tried.pattern, SlowImages::kWidth, SlowImages::kHeight), kFinalRuns);
+    std::cout << "  " << time / room << " times: " << tried.pattern.name() << '\n';
+  }
+  return 0;
+}
+
+}  // namespace
+}  // namespace line_plane_segmentation
+
+int main(int argc, char** argv) {
+  if (argc != 3) {
+    std::cerr << "Usage: find_slow_images PRESET SECONDS\n";
+    return 1;
+  }
+  return line_plane_segmentation::run(argv[1], std::atof(argv[2]));
+}
