@@ -2,7 +2,9 @@
 // Searches for pictures that take the segmenter long: random patterns, of which the slowest are changed
 // again and again. Run by scripts/find_slow_images.
 #include <algorithm>
+#include <array>
 #include <chrono>
+#include <cstddef>
 #include <cstdlib>
 #include <iomanip>
 #include <iostream>
@@ -14,7 +16,7 @@
 namespace line_plane_segmentation {
 namespace {
 
-constexpr std::size_t kKept = 12;
+constexpr int kKeptOfKind = 2;
 constexpr int kRuns = 3, kFinalRuns = 15;
 
 struct Tried {
@@ -22,23 +24,27 @@ struct Tried {
   Pattern pattern;
 };
 
+void keepSlowestOfEachKind(std::vector<Tried>& slowest) {
+  std::sort(slowest.begin(), slowest.end(),
+            [](const Tried& a, const Tried& b) { return a.seconds > b.seconds; });
+  std::array<int, kPatternKinds> kept{};
+  const auto is_more = [&kept](const Tried& tried) {
+    return ++kept[static_cast<std::size_t>(tried.pattern.kind)] > kKeptOfKind;
+  };
+  slowest.erase(std::remove_if(slowest.begin(), slowest.end(), is_more), slowest.end());
+}
+
 void search(SlowImages& images, double seconds, std::vector<Tried>& slowest) {
   Random random(1);
   const auto end = std::chrono::steady_clock::now() + std::chrono::duration<double>(seconds);
   while (std::chrono::steady_clock::now() < end) {
-    const bool is_new = slowest.size() < kKept || random.chance(0.3);
-    const std::size_t parent = static_cast<std::size_t>(random.integer(0, static_cast<int>(kKept) - 1));
-    const Pattern pattern = is_new ? randomPattern(random) : changedPattern(slowest[parent].pattern, random);
-    const Tried tried{images.secondsOf(draw(pattern, SlowImages::kWidth, SlowImages::kHeight), kRuns),
-                      pattern};
-    // One of each name.
-    const bool is_known = std::any_of(slowest.begin(), slowest.end(), [&](const Tried& other) {
-      return other.pattern.name() == pattern.name();
-    });
-    if (!is_known) slowest.push_back(tried);
-    std::sort(slowest.begin(), slowest.end(),
-              [](const Tried& a, const Tried& b) { return a.seconds > b.seconds; });
-    slowest.resize(std::min(slowest.size(), kKept));
+    const bool is_new = slowest.empty() || random.chance(0.3);
+    const int last = static_cast<int>(slowest.size()) - 1;
+    const Pattern pattern =
+        is_new ? randomPattern(random) : changedPattern(slowest[random.integer(0, last)].pattern, random);
+    const double time = images.secondsOf(draw(pattern, SlowImages::kWidth, SlowImages::kHeight), kRuns);
+    slowest.push_back({time, pattern});
+    keepSlowestOfEachKind(slowest);
   }
 }
 

@@ -12,9 +12,11 @@ namespace {
 
 constexpr std::size_t kMaxPlanes = 100;  // all pairs of the largest ones are compared: bounds the time
 
+constexpr int kMaxSamples = 64;  // of the line between two planes: a quarter is 16 of them
+
 }  // namespace
 
-// Whether less than a quarter of the pixels on the straight line between two candidates are behind the plane.
+// Whether less than a quarter of the straight line between two candidates is behind the plane.
 bool CoplanarMerger::isOccludedBetween(Pixel from, Pixel to, const InverseDepthPlane& plane,
                                        const DepthImage& depth, const ViewRays& rays,
                                        const Parameters& parameters) {
@@ -22,7 +24,7 @@ bool CoplanarMerger::isOccludedBetween(Pixel from, Pixel to, const InverseDepthP
   const DepthTolerance tolerance{parameters.noise, 2.0 * parameters.extraction.distance_noise_factor,
                                  2.0 * parameters.extraction.plane_distance};
   const int du = to.u - from.u, dv = to.v - from.v;
-  const int steps = std::max(std::abs(du), std::abs(dv));
+  const int steps = std::min(std::max(std::abs(du), std::abs(dv)), kMaxSamples);
   int behind = 0;
   for (int k = 0; k < steps; ++k) {
     const int u = from.u + du * k / steps, v = from.v + dv * k / steps;
