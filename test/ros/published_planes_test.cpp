@@ -151,12 +151,12 @@ TEST_F(Published, isWhatTheImagesShow) {
 
   const auto overlay = overlayImage(frame());
   EXPECT_EQ(kCameraFrame, overlay->header.frame_id);
-  const auto isGrey = [&](std::size_t u) {
+  const auto is_grey = [&](std::size_t u) {
     return overlay->data[3 * u] == overlay->data[3 * u + 1] &&
            overlay->data[3 * u] == overlay->data[3 * u + 2];
   };
-  EXPECT_TRUE(isGrey(2));
-  EXPECT_FALSE(isGrey(0) || isGrey(1) || isGrey(3));
+  EXPECT_TRUE(is_grey(2));
+  EXPECT_FALSE(is_grey(0) || is_grey(1) || is_grey(3));
 }
 
 TEST_F(Published, isWhereTheCloudIs) {
