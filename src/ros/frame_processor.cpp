@@ -3,7 +3,7 @@
 
 #include <thread>
 
-#include "line_plane_segmentation/ros/conversions.h"
+#include "conversions.h"
 
 namespace line_plane_segmentation {
 namespace {

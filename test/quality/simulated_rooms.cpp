@@ -3,8 +3,8 @@
 
 #include <cstdio>
 
-#include "line_plane_segmentation/simulation/simulated_camera.h"
 #include "region_overlap.h"
+#include "simulated_camera.h"
 
 namespace line_plane_segmentation {
 namespace {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Target frame and selection by orientation, and that all messages follow them.
-#include "line_plane_segmentation/ros/published_planes.h"
+#include "published_planes.h"
 
 #include <gtest/gtest.h>
 #include <sensor_msgs/point_cloud2_iterator.h>
@@ -9,7 +9,7 @@
 #include <cstring>
 #include <vector>
 
-#include "line_plane_segmentation/ros/conversions.h"
+#include "conversions.h"
 #include "test_messages.h"
 
 namespace line_plane_segmentation {
