@@ -9,9 +9,7 @@ install(TARGETS line_plane_segmentation_core EXPORT line_plane_segmentation
   RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 install(EXPORT line_plane_segmentation DESTINATION ${config_folder}
   NAMESPACE line_plane_segmentation:: FILE line_plane_segmentationTargets.cmake)
-# Messages and the simulated camera are libraries of their own, which are not built here.
-install(DIRECTORY include/line_plane_segmentation/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/line_plane_segmentation
-  PATTERN ros EXCLUDE PATTERN simulation EXCLUDE)
+install(DIRECTORY include/line_plane_segmentation/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/line_plane_segmentation)
 
 configure_package_config_file(cmake/line_plane_segmentationConfig.cmake.in
   ${CMAKE_CURRENT_BINARY_DIR}/line_plane_segmentationConfig.cmake INSTALL_DESTINATION ${config_folder})

@@ -21,21 +21,13 @@ ROS = {"ros", "nodelet", "pluginlib", "tf2", "tf2_ros", "tf2_eigen", "image_tran
        "visualization_msgs", "diagnostic_msgs", "tf2_msgs", "topic_tools", "sensor_msgs", "roscpp", "image_geometry"}
 
 
-def folder_of_public_header(include):
-    """The folder of src/ that a public header belongs to: that of its subfolder, else the core. None for generated ones."""
-    if not (ROOT / "include" / include).exists():
-        return None
-    subfolder = pathlib.Path(include).relative_to(PUBLIC).parts[0]
-    return subfolder if (ROOT / "src" / subfolder).is_dir() else "core"
-
-
 def used_by(text, folder, headers):
     """What a source file of `folder` includes: ("folder", name) or ("library", name)."""
     for include in INCLUDE.findall(text):
         first = include.split("/")[0]
         if first == str(PUBLIC):
-            owner = folder_of_public_header(include)
-            yield ("folder", owner) if owner else ("library", "ROS")
+            # The public headers are the core's; those of messages and of dynamic_reconfigure are generated.
+            yield ("folder", "core") if (ROOT / "include" / include).exists() else ("library", "ROS")
         elif first in LIBRARIES:
             yield "library", LIBRARIES[first]
         elif first in ROS:
@@ -54,8 +46,7 @@ def read_layout():
     layout = collections.defaultdict(set)
     sources = [(path, path.relative_to(ROOT / "src").parts[0]) for path in (ROOT / "src").rglob("*")
                if path.suffix in (".h", ".cpp")]
-    sources += [(path, folder_of_public_header(path.relative_to(ROOT / "include")))
-                for path in (ROOT / "include").rglob("*.h")]
+    sources += [(path, "core") for path in (ROOT / "include").rglob("*.h")]
     for path, folder in sources:
         layout[folder].update(use for use in used_by(path.read_text(encoding="utf-8"), folder, headers)
                               if use != ("folder", folder))

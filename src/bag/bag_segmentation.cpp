@@ -168,10 +168,11 @@ class BagSegmentation {
     constexpr std::size_t kMaxWaiting = 64;  // frames, however little the recording times advance
     const double latest = frame.time.toSec() + task_.location.frames.tf_patience;
     CameraPoses poses = locator.lookUp(header);
-    const auto mayBecomeAvailable = [&poses] {
+    const auto may_become_available = [&poses] {
       return poses.has(TransformLookup::Status::kLate) || poses.has(TransformLookup::Status::kUnknown);
     };
-    while (mayBecomeAvailable() && read_until_.toSec() < latest && ready_.size() < kMaxWaiting && readOne()) {
+    while (may_become_available() && read_until_.toSec() < latest && ready_.size() < kMaxWaiting &&
+           readOne()) {
       poses = locator.lookUp(header);
     }
     locator.fallBack(header, poses);

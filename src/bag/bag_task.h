@@ -6,9 +6,9 @@
 #include <filesystem>
 
 #include "depth_topics.h"
+#include "image_validation.h"
 #include "line_plane_segmentation/parameters.h"
-#include "line_plane_segmentation/ros/image_validation.h"
-#include "line_plane_segmentation/ros/location_parameters.h"
+#include "location_parameters.h"
 
 namespace line_plane_segmentation {
 

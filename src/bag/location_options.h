@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "line_plane_segmentation/ros/location_parameters.h"
+#include "location_parameters.h"
 
 namespace line_plane_segmentation {
 

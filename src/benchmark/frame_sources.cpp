@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "depth_frames.h"
-#include "line_plane_segmentation/simulation/simulation.h"
 #include "run_tool.h"
+#include "simulation.h"
 
 namespace line_plane_segmentation {
 namespace {

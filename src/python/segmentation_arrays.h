@@ -67,9 +67,9 @@ pybind11::array candidateArray(const std::vector<PlaneCandidate>& candidates);
 /// Copies an Eigen vector or matrix to an array of one or two dimensions.
 template <typename Matrix>
 pybind11::array_t<double> arrayOf(const Matrix& matrix) {
-  constexpr bool is_vector = Matrix::ColsAtCompileTime == 1;
+  constexpr bool kIsVector = Matrix::ColsAtCompileTime == 1;
   const std::vector<pybind11::ssize_t> shape =
-      is_vector ? std::vector<pybind11::ssize_t>{matrix.rows()}
+      kIsVector ? std::vector<pybind11::ssize_t>{matrix.rows()}
                 : std::vector<pybind11::ssize_t>{matrix.rows(), matrix.cols()};
   pybind11::array_t<double> array(shape);
   double* number = array.mutable_data();

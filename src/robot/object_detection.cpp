@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "line_plane_segmentation/robot/object_detection.h"
+#include "object_detection.h"
 
 #include <algorithm>
 #include <cmath>

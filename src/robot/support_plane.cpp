@@ -45,7 +45,7 @@ SupportPlane supportPlane(const Segmentation& segmentation, std::size_t index,
   support.plane_from_optical = plane_from_optical.cast<float>();
 
   std::vector<cv::Point2f> border;
-  const auto addPixel = [&](int u, int v) {
+  const auto add_pixel = [&](int u, int v) {
     const Eigen::Vector3d ray((u - camera.cx) / camera.fx, (v - camera.cy) / camera.fy, 1.0);
     const double along = plane.normal.dot(ray);
     if (along > kEdgeOn) return;
@@ -59,8 +59,8 @@ SupportPlane supportPlane(const Segmentation& segmentation, std::size_t index,
     if (first == row + width) continue;
     const auto last =
         std::find(std::make_reverse_iterator(row + width), std::make_reverse_iterator(first), plane.label);
-    addPixel(static_cast<int>(first - row), v);
-    addPixel(static_cast<int>(last.base() - row) - 1, v);
+    add_pixel(static_cast<int>(first - row), v);
+    add_pixel(static_cast<int>(last.base() - row) - 1, v);
   }
   if (border.size() >= 3) cv::convexHull(border, support.hull);
   return support;

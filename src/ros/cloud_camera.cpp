@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstring>
 
-#include "line_plane_segmentation/ros/cloud_validation.h"
+#include "cloud_validation.h"
 
 namespace line_plane_segmentation {
 namespace {

@@ -7,7 +7,7 @@
 #include <boost/make_shared.hpp>
 #include <limits>
 
-#include "line_plane_segmentation/ros/palette.h"
+#include "line_plane_segmentation/palette.h"
 
 namespace line_plane_segmentation {
 namespace {

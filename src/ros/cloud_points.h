@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "line_plane_segmentation/ros/conversions.h"
+#include "conversions.h"
 
 namespace line_plane_segmentation {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "line_plane_segmentation/ros/cloud_validation.h"
+#include "cloud_validation.h"
 
 #include <sensor_msgs/PointField.h>
 

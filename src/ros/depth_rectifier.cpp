@@ -5,8 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "image_validation.h"
 #include "lens_distortion.h"
-#include "line_plane_segmentation/ros/image_validation.h"
 
 namespace line_plane_segmentation {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <thread>
 
-#include "line_plane_segmentation/ros/conversions.h"
+#include "conversions.h"
 
 namespace line_plane_segmentation {
 namespace {
@@ -24,7 +24,7 @@ FrameProcessor::FrameProcessor(const std::string& name, const InputLimits& limit
       robot_(name),
       segmenter_(limits),
       locator_(transforms.buffer()),
-      worker_(
+      mailbox_(
           queue_size, [this](const InputFrame& frame) { process(frame); },
           [this](const std::string& problem) {
             statistics_.failed(problem);
@@ -72,13 +72,12 @@ bool FrameProcessor::mayBecomeAvailable(const CameraPoses& poses) {
 }
 
 // The patience counts from the frame's arrival: the frames behind it wait at the same time, so that none of
-// them is lost. Until the connection to tf is established frames wait longer, as long as the queue takes
-// them.
+// them is lost. Until the connection to tf is established frames wait longer, as long as the mailbox
+// takes them.
 bool FrameProcessor::mayWaitLonger(const InputFrame& frame) {
-  const FrameQueue& queue = worker_.queue();
-  if (queue.closed()) return false;
+  if (mailbox_.isStopping()) return false;
   const std::chrono::duration<double> patience(locator_.parameters().frames.tf_patience);
-  return Clock::now() - frame.arrived < patience || (transforms_.isConnecting() && !queue.nearlyFull());
+  return Clock::now() - frame.arrived < patience || (transforms_.isConnecting() && !mailbox_.nearlyFull());
 }
 
 // Transforms often arrive a little later than the image that they belong to. This thread waits for them,

@@ -7,12 +7,12 @@
 #include <optional>
 #include <string>
 
+#include "frame_mailbox.h"
 #include "frame_segmenter.h"
 #include "frame_statistics.h"
-#include "frame_worker.h"
 #include "input_warnings.h"
-#include "line_plane_segmentation/ros/parameter_config.h"
 #include "outputs.h"
+#include "parameter_config.h"
 #include "plane_locator.h"
 #include "processing_time.h"
 #include "robot_messages.h"
@@ -39,7 +39,7 @@ class FrameProcessor {
   /// Sets all parameters together, for the next frame. Does not wait for the current frame.
   void setParameters(const NodeletParameters& parameters);
 
-  FrameQueue& queue() { return worker_.queue(); }
+  FrameMailbox& mailbox() { return mailbox_; }
   FrameStatistics& statistics() { return statistics_; }
   /// Time of the current frame, without waiting for transforms.
   const ProcessingTime& processingTime() const { return processing_time_; }
@@ -62,7 +62,7 @@ class FrameProcessor {
   NodeletParameters parameters_;
   bool parameters_changed_ = true;
 
-  // Used by the worker thread only.
+  // Used by the thread of the mailbox only.
   InputWarnings warnings_;
   RobotMessages robot_;
   FrameSegmenter segmenter_;
@@ -71,7 +71,7 @@ class FrameProcessor {
   // Per lookup: time since which tf does not know its frames; empty if the frames are known.
   std::array<std::optional<std::chrono::steady_clock::time_point>, CameraPoses::kCount> unknown_since_;
 
-  FrameWorker worker_;  // last: its thread uses all of the above
+  FrameMailbox mailbox_;  // last: its thread uses all of the above
 };
 
 }  // namespace line_plane_segmentation

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "frame_segmenter.h"
 
+#include "cloud_validation.h"
 #include "compressed_depth.h"
-#include "line_plane_segmentation/ros/cloud_validation.h"
 #include "printable_text.h"
 
 namespace line_plane_segmentation {

@@ -10,12 +10,12 @@
 #include <string>
 #include <vector>
 
+#include "conversions.h"
 #include "depth_rectifier.h"
+#include "image_validation.h"
 #include "input_frame.h"
 #include "line_plane_segmentation/parameters.h"
 #include "line_plane_segmentation/plane_segmenter.h"
-#include "line_plane_segmentation/ros/conversions.h"
-#include "line_plane_segmentation/ros/image_validation.h"
 #include "line_plane_segmentation/stage_clock.h"
 
 namespace line_plane_segmentation {

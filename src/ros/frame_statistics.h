@@ -11,8 +11,8 @@
 #include <optional>
 #include <string>
 
+#include "image_validation.h"
 #include "line_plane_segmentation/plane_segmenter.h"
-#include "line_plane_segmentation/ros/image_validation.h"
 #include "line_plane_segmentation/stage_clock.h"
 
 namespace line_plane_segmentation {

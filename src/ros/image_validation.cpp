@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "line_plane_segmentation/ros/image_validation.h"
+#include "image_validation.h"
 
+#include <image_geometry/pinhole_camera_model.h>
 #include <sensor_msgs/image_encodings.h>
 
 #include <algorithm>
@@ -71,13 +72,21 @@ bool sizeFits(std::uint64_t image, std::uint64_t shown, std::uint64_t binning) {
 
 bool hasProjection(const sensor_msgs::CameraInfo& info) { return info.P[0] != 0.0 || info.P[5] != 0.0; }
 
-// P and K refer to the full sensor: the region of interest is applied first, then the binning.
-CameraIntrinsics shownPart(CameraIntrinsics camera, const sensor_msgs::CameraInfo& info) {
-  if (info.roi.width != 0) camera.cx -= info.roi.x_offset;
-  if (info.roi.height != 0) camera.cy -= info.roi.y_offset;
-  const auto binning_x = static_cast<double>(binningOf(info.binning_x));
-  const auto binning_y = static_cast<double>(binningOf(info.binning_y));
-  return {camera.fx / binning_x, camera.fy / binning_y, camera.cx / binning_x, camera.cy / binning_y};
+// K and P refer to the full sensor; the model applies the region of interest, then the binning. It gets
+// neither header nor distortion, which it would copy: a malformed message can hold any number of
+// coefficients.
+image_geometry::PinholeCameraModel pinholeModel(const sensor_msgs::CameraInfo& info) {
+  sensor_msgs::CameraInfo pinhole;
+  pinhole.K = info.K;
+  pinhole.P = info.P;
+  pinhole.binning_x = info.binning_x;
+  pinhole.binning_y = info.binning_y;
+  // Along an axis without a region of interest the full sensor is shown, whatever the offset.
+  if (info.roi.width != 0) pinhole.roi.x_offset = info.roi.x_offset;
+  if (info.roi.height != 0) pinhole.roi.y_offset = info.roi.y_offset;
+  image_geometry::PinholeCameraModel model;
+  model.fromCameraInfo(pinhole);
+  return model;
 }
 
 Refusal makeCamera(const sensor_msgs::Image& image, const sensor_msgs::CameraInfo& info, Validation& found) {
@@ -111,11 +120,14 @@ bool sizesMatch(const sensor_msgs::Image& image, const sensor_msgs::CameraInfo& 
 }
 
 CameraIntrinsics rawIntrinsics(const sensor_msgs::CameraInfo& info) {
-  return shownPart({info.K[0], info.K[4], info.K[2], info.K[5]}, info);
+  const image_geometry::PinholeCameraModel model = pinholeModel(info);
+  const cv::Matx33d& k = model.intrinsicMatrix();
+  return {k(0, 0), k(1, 1), k(0, 2), k(1, 2)};
 }
 
 CameraIntrinsics rectifiedIntrinsics(const sensor_msgs::CameraInfo& info) {
-  return shownPart({info.P[0], info.P[5], info.P[2], info.P[6]}, info);
+  const image_geometry::PinholeCameraModel model = pinholeModel(info);
+  return {model.fx(), model.fy(), model.cx(), model.cy()};
 }
 
 bool isUsable(const CameraIntrinsics& camera) {

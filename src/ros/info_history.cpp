@@ -5,7 +5,7 @@
 #include <limits>
 #include <string>
 
-#include "line_plane_segmentation/ros/image_validation.h"
+#include "image_validation.h"
 
 namespace line_plane_segmentation {
 namespace {

@@ -15,7 +15,7 @@ namespace line_plane_segmentation {
 struct InputFrame {
   sensor_msgs::ImageConstPtr image;      ///< header and size only if `compressed` is set; null for a cloud
   sensor_msgs::CameraInfoConstPtr info;  ///< its timestamp may differ from the image's; null for a cloud
-  std::chrono::steady_clock::time_point arrived{};  ///< time of arrival in the queue
+  std::chrono::steady_clock::time_point arrived{};  ///< time of arrival in the mailbox
   sensor_msgs::PointCloud2ConstPtr cloud{};
   sensor_msgs::CompressedImageConstPtr compressed{};  ///< decoded when the frame is processed
   bool needs_rectification = false;                   ///< rectify the image if camera_info has distortion

@@ -7,8 +7,8 @@
 #include <set>
 #include <string>
 
+#include "image_validation.h"
 #include "input_frame.h"
-#include "line_plane_segmentation/ros/image_validation.h"
 #include "line_plane_segmentation/segmentation.h"
 #include "transform_lookup.h"
 

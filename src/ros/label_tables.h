@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "conversions.h"
 #include "line_plane_segmentation/palette.h"
-#include "line_plane_segmentation/ros/conversions.h"
 
 namespace line_plane_segmentation {
 

@@ -5,9 +5,9 @@
 #include <cstring>
 #include <vector>
 
+#include "conversions.h"
 #include "image_message.h"
 #include "label_tables.h"
-#include "line_plane_segmentation/ros/conversions.h"
 
 namespace line_plane_segmentation {
 

@@ -12,7 +12,8 @@
 namespace line_plane_segmentation {
 
 /// Lens distortion by OpenCV's models: plumb_bob and rational_polynomial (4, 5, 8, 12 or 14 coefficients),
-/// equidistant (4).
+/// equidistant (4). image_geometry::PinholeCameraModel projects point by point, which takes seconds for the
+/// table of a VGA image, and does not check the number of coefficients.
 class LensDistortion {
  public:
   /// Reads model and coefficients.

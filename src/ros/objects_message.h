@@ -7,8 +7,8 @@
 #include <cstddef>
 #include <vector>
 
-#include "line_plane_segmentation/robot/object_detection.h"
-#include "line_plane_segmentation/ros/conversions.h"
+#include "conversions.h"
+#include "object_detection.h"
 
 namespace line_plane_segmentation {
 

@@ -5,8 +5,8 @@
 
 #include <vector>
 
-#include "line_plane_segmentation/ros/conversions.h"
-#include "line_plane_segmentation/ros/robot_parameters.h"
+#include "conversions.h"
+#include "robot_parameters.h"
 
 namespace line_plane_segmentation {
 

@@ -12,8 +12,8 @@ bool hasSubscribers(const ros::Publisher& publisher) { return publisher.getNumSu
 
 template <typename MakeMessage>
 void publishIfSubscribed(const ros::Publisher& publisher, const SegmentedFrame& frame,
-                         MakeMessage makeMessage) {
-  if (hasSubscribers(publisher)) publisher.publish(makeMessage(frame));
+                         MakeMessage make_message) {
+  if (hasSubscribers(publisher)) publisher.publish(make_message(frame));
 }
 
 }  // namespace

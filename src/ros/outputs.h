@@ -7,7 +7,7 @@
 #include <functional>
 #include <vector>
 
-#include "line_plane_segmentation/ros/conversions.h"
+#include "conversions.h"
 #include "robot_messages.h"
 
 namespace line_plane_segmentation {

@@ -3,10 +3,10 @@
 
 #include <vector>
 
+#include "conversions.h"
 #include "depth_overlay.h"
 #include "image_message.h"
 #include "label_tables.h"
-#include "line_plane_segmentation/ros/conversions.h"
 
 namespace line_plane_segmentation {
 namespace {

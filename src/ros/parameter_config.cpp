@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "line_plane_segmentation/ros/parameter_config.h"
+#include "parameter_config.h"
 
 #include <dynamic_reconfigure/config_tools.h>
 #include <ros/console.h>

@@ -12,9 +12,9 @@
 
 #include "line_plane_segmentation/camera_intrinsics.h"
 #include "line_plane_segmentation/plane_tracker.h"
-#include "line_plane_segmentation/ros/location_parameters.h"
-#include "line_plane_segmentation/ros/published_planes.h"
 #include "line_plane_segmentation/segmentation.h"
+#include "location_parameters.h"
+#include "published_planes.h"
 #include "transform_lookup.h"
 
 namespace line_plane_segmentation {

@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
+#include "conversions.h"
 #include "label_anchor.h"
-#include "line_plane_segmentation/ros/conversions.h"
 #include "marker_tools.h"
 #include "text_overlap.h"
 

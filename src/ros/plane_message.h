@@ -3,7 +3,7 @@
 
 #include <line_plane_segmentation/Plane.h>
 
-#include "line_plane_segmentation/ros/published_planes.h"
+#include "published_planes.h"
 
 namespace line_plane_segmentation {
 

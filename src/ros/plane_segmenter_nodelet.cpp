@@ -66,7 +66,9 @@ void PlaneSegmenterNodelet::start() {
   transforms_ = std::make_unique<TransformListener>(nh);
   processor_ = std::make_unique<FrameProcessor>(
       getName(), start.limits, static_cast<std::size_t>(start.queue_size), *outputs_, *transforms_);
-  const InputSource::Handler push = [this](InputFrame frame) { processor_->queue().push(std::move(frame)); };
+  const InputSource::Handler push = [this](InputFrame frame) {
+    processor_->mailbox().push(std::move(frame));
+  };
   if (start.clouds) {
     subscription_ = std::make_unique<CloudSubscription>(nh, start.queue_size, push);
   } else {
@@ -117,7 +119,7 @@ void PlaneSegmenterNodelet::updateSubscription() {
   if (!subscription_ || outputs_->subscribed() == subscription_->subscribed()) return;
   if (subscription_->subscribed()) {
     subscription_->unsubscribe();
-    processor_->queue().clear();
+    processor_->mailbox().clear();
     return;
   }
   try {
@@ -139,7 +141,7 @@ void PlaneSegmenterNodelet::reportStatus(diagnostic_updater::DiagnosticStatusWra
     status.subscribed = outputs_->subscribed();
     status.topics = subscription_->topics();
     status.input = subscription_->times();
-    status.dropped = processor_->queue().dropped();
+    status.dropped = processor_->mailbox().dropped();
     status.newly_dropped = status.dropped - std::exchange(reported_dropped_, status.dropped);
     status.lost = subscription_->lostImages();
     status.newly_lost = status.lost - std::exchange(reported_lost_, status.lost);

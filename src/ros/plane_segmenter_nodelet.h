@@ -16,8 +16,8 @@
 
 #include "frame_processor.h"
 #include "input_source.h"
-#include "line_plane_segmentation/ros/parameter_config.h"
 #include "outputs.h"
+#include "parameter_config.h"
 #include "transform_listener.h"
 
 namespace line_plane_segmentation {

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "line_plane_segmentation/ros/conversions.h"
+#include "conversions.h"
 #include "plane_message.h"
 #include "plane_polygons.h"
 

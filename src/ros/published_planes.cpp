@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "line_plane_segmentation/ros/published_planes.h"
+#include "published_planes.h"
 
 #include <cmath>
 #include <cstddef>

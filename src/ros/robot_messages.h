@@ -7,9 +7,9 @@
 
 #include "line_plane_segmentation/parameters.h"
 #include "line_plane_segmentation/plane_tracker.h"
-#include "line_plane_segmentation/ros/robot_parameters.h"
 #include "objects_message.h"
 #include "obstacle_cloud.h"
+#include "robot_parameters.h"
 #include "tracked_planes.h"
 
 namespace line_plane_segmentation {

@@ -3,7 +3,7 @@
 #include <utility>
 #include <vector>
 
-#include "line_plane_segmentation/ros/conversions.h"
+#include "conversions.h"
 #include "marker_tools.h"
 
 namespace line_plane_segmentation {

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "image_validation.h"
 #include "info_matcher.h"
-#include "line_plane_segmentation/ros/image_validation.h"
 #include "rectification_mode.h"
 
 namespace line_plane_segmentation {

@@ -9,9 +9,9 @@
 #include <optional>
 #include <string>
 
+#include "conversions.h"
 #include "line_plane_segmentation/plane_track_filter.h"
 #include "line_plane_segmentation/plane_tracker.h"
-#include "line_plane_segmentation/ros/conversions.h"
 
 namespace line_plane_segmentation {
 

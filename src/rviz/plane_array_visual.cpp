@@ -22,7 +22,7 @@
 namespace line_plane_segmentation {
 namespace {
 
-const Ogre::String& kResourceGroup = Ogre::ResourceGroupManager::DEFAULT_RESOURCE_GROUP_NAME;
+const Ogre::String& resource_group = Ogre::ResourceGroupManager::DEFAULT_RESOURCE_GROUP_NAME;
 
 Ogre::Vector3 toOgre(const Eigen::Vector3f& v) { return {v.x(), v.y(), v.z()}; }
 Ogre::Vector3 toOgre(const geometry_msgs::Point32& p) { return {p.x, p.y, p.z}; }
@@ -47,7 +47,7 @@ std::string materialName(const PlaneArrayVisual* visual) {
 
 // Draws vertex colours as they are, seen from both sides.
 void makeMaterial(const std::string& name) {
-  const Ogre::MaterialPtr material = Ogre::MaterialManager::getSingleton().create(name, kResourceGroup);
+  const Ogre::MaterialPtr material = Ogre::MaterialManager::getSingleton().create(name, resource_group);
   material->setReceiveShadows(false);
   material->setLightingEnabled(false);
   material->setCullingMode(Ogre::CULL_NONE);
@@ -89,7 +89,7 @@ PlaneArrayVisual::~PlaneArrayVisual() {
   scene_manager_.destroyManualObject(surfaces_);
   scene_manager_.destroyManualObject(outlines_);
   scene_manager_.destroySceneNode(node_);
-  Ogre::MaterialManager::getSingleton().remove(material_, kResourceGroup);
+  Ogre::MaterialManager::getSingleton().remove(material_, resource_group);
 }
 
 void PlaneArrayVisual::setPose(const Ogre::Vector3& position, const Ogre::Quaternion& orientation) {
@@ -128,16 +128,16 @@ void PlaneArrayVisual::drawSurfaces(const PlaneArray& planes, const PlaneStyle& 
   }
   if (triangles.empty()) return;
   surfaces_->estimateVertexCount(3 * triangles.size());
-  surfaces_->begin(material_, Ogre::RenderOperation::OT_TRIANGLE_LIST, kResourceGroup);
+  surfaces_->begin(material_, Ogre::RenderOperation::OT_TRIANGLE_LIST, resource_group);
   for (const auto& [triangle, color] : triangles) addTriangle(*surfaces_, triangle, color);
   surfaces_->end();
 }
 
 void PlaneArrayVisual::drawOutlines(const PlaneArray& planes, const PlaneStyle& style) {
   outlines_->clear();
-  const auto isEmpty = [](const Plane& plane) { return plane.outline.points.empty(); };
-  if (!style.outlines || std::all_of(planes.planes.begin(), planes.planes.end(), isEmpty)) return;
-  outlines_->begin(material_, Ogre::RenderOperation::OT_LINE_LIST, kResourceGroup);
+  const auto is_empty = [](const Plane& plane) { return plane.outline.points.empty(); };
+  if (!style.outlines || std::all_of(planes.planes.begin(), planes.planes.end(), is_empty)) return;
+  outlines_->begin(material_, Ogre::RenderOperation::OT_LINE_LIST, resource_group);
   for (const Plane& plane : planes.planes) {
     const Ogre::ColourValue color = toOgre(colorOf(plane, style.color_by), 1.0F);
     addRing(*outlines_, plane.outline, color);

@@ -3,7 +3,7 @@
 
 #include <line_plane_segmentation/Plane.h>
 
-#include "line_plane_segmentation/ros/palette.h"
+#include "line_plane_segmentation/palette.h"
 
 namespace line_plane_segmentation {
 

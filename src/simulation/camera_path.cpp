@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "line_plane_segmentation/simulation/camera_path.h"
+#include "camera_path.h"
 
 #include <cmath>
 #include <cstddef>
 
-#include "line_plane_segmentation/simulation/random.h"
+#include "random.h"
 
 namespace line_plane_segmentation::simulation {
 namespace {

@@ -3,8 +3,8 @@
 
 #include <Eigen/Geometry>
 
-#include "line_plane_segmentation/simulation/random.h"
-#include "line_plane_segmentation/simulation/scene.h"
+#include "random.h"
+#include "scene.h"
 
 namespace line_plane_segmentation::simulation {
 

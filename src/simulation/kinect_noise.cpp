@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "line_plane_segmentation/simulation/kinect_noise.h"
+#include "kinect_noise.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,7 +8,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include "line_plane_segmentation/simulation/random.h"
+#include "random.h"
 
 namespace line_plane_segmentation::simulation {
 namespace {

@@ -4,7 +4,7 @@
 #include <Eigen/Geometry>
 
 #include "image_row.h"
-#include "line_plane_segmentation/simulation/scene.h"
+#include "scene.h"
 
 namespace line_plane_segmentation::simulation {
 

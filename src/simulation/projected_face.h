@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "image_row.h"
-#include "line_plane_segmentation/simulation/renderer.h"
+#include "renderer.h"
 
 namespace line_plane_segmentation::simulation {
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "line_plane_segmentation/simulation/room.h"
+#include "room.h"
 
 #include "furniture.h"
-#include "line_plane_segmentation/simulation/random.h"
+#include "random.h"
 
 namespace line_plane_segmentation::simulation {
 namespace {

@@ -9,7 +9,7 @@
 #include <cstdint>
 #include <string>
 
-#include "line_plane_segmentation/simulation/renderer.h"
+#include "renderer.h"
 
 namespace line_plane_segmentation {
 

@@ -15,7 +15,7 @@
 #include <string>
 
 #include "camera_info_message.h"
-#include "line_plane_segmentation/simulation/simulated_camera.h"
+#include "simulated_camera.h"
 #include "simulated_camera_messages.h"
 #include "simulated_camera_parameters.h"
 

@@ -5,7 +5,7 @@
 
 #include <string>
 
-#include "line_plane_segmentation/simulation/simulated_camera.h"
+#include "simulated_camera.h"
 
 namespace line_plane_segmentation {
 

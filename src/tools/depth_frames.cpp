@@ -110,8 +110,8 @@ std::string sizeText(int width, int height) { return std::to_string(width) + " x
 }  // namespace
 
 const std::vector<std::string>& depthFormats() {
-  static const std::vector<std::string> formats{".png", ".npy", ".tiff", ".tif", ".exr", ".pgm"};
-  return formats;
+  static const std::vector<std::string> kFormats{".png", ".npy", ".tiff", ".tif", ".exr", ".pgm"};
+  return kFormats;
 }
 
 CameraIntrinsics parseCamera(const std::string& text) {

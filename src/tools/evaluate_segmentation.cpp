@@ -152,8 +152,8 @@ void evaluateSets(const po::variables_map& given) {
   const Parameters parameters = parametersOf(given);
   std::vector<NamedRobustScores> scores;
   for (const NamedSet& set : readSets(given)) {
-    const auto makeSegmenter = [&] { return std::make_unique<LinePrimitiveSegmenter>(parameters); };
-    scores.push_back({set.name, evaluateRobustly(set.frames, allVariants(), makeSegmenter, settings)});
+    const auto make_segmenter = [&] { return std::make_unique<LinePrimitiveSegmenter>(parameters); };
+    scores.push_back({set.name, evaluateRobustly(set.frames, allVariants(), make_segmenter, settings)});
   }
   OutputFiles files;
   addJson(given, robustJson(scores, settings), files);

@@ -76,8 +76,8 @@ std::vector<Instance> regionsInPieces(Kind kind, const std::vector<Fractions>& p
 
 std::vector<Instance> findInstances(const RegionOverlaps& regions, const std::vector<Fractions>& pairs,
                                     double tolerance) {
-  const auto truthOf = [](const Fractions& pair) { return std::make_pair(pair.truth, pair.of_truth); };
-  const auto labelOf = [](const Fractions& pair) { return std::make_pair(pair.label, pair.of_label); };
+  const auto truth_of = [](const Fractions& pair) { return std::make_pair(pair.truth, pair.of_truth); };
+  const auto label_of = [](const Fractions& pair) { return std::make_pair(pair.label, pair.of_label); };
 
   std::vector<Instance> all;
   for (const Fractions& pair : pairs) {
@@ -85,9 +85,9 @@ std::vector<Instance> findInstances(const RegionOverlaps& regions, const std::ve
     all.push_back({Kind::kCorrect, {pair.truth}, {pair.label}, (pair.of_truth + pair.of_label) / 2.0});
   }
   const auto over =
-      regionsInPieces(Kind::kOverSegmented, pairs, regions.truth.size(), tolerance, truthOf, labelOf);
+      regionsInPieces(Kind::kOverSegmented, pairs, regions.truth.size(), tolerance, truth_of, label_of);
   const auto under =
-      regionsInPieces(Kind::kUnderSegmented, pairs, regions.labels.size(), tolerance, labelOf, truthOf);
+      regionsInPieces(Kind::kUnderSegmented, pairs, regions.labels.size(), tolerance, label_of, truth_of);
   all.insert(all.end(), over.begin(), over.end());
   all.insert(all.end(), under.begin(), under.end());
   return all;

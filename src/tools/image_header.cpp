@@ -54,16 +54,16 @@ std::optional<ImageHeader> readTiff(const Bytes& bytes) {
 // Attributes: name, 0, type, 0, length, value. The box dataWindow has the first and last column and row.
 std::optional<ImageHeader> readExr(const Bytes& bytes) {
   std::size_t at = 8;
-  const auto takeText = [&] {
+  const auto take_text = [&] {
     const std::size_t begin = at;
     while (at < bytes.size() && bytes[at] != 0) ++at;
     return std::string(bytes.begin() + static_cast<std::ptrdiff_t>(begin),
                        bytes.begin() + static_cast<std::ptrdiff_t>(at++));
   };
   while (at < bytes.size()) {
-    const std::string name = takeText();
+    const std::string name = take_text();
     if (name.empty() || at >= bytes.size()) break;
-    takeText();
+    take_text();
     if (at + 4 > bytes.size()) break;
     const std::size_t length = numberAt(bytes, at, 4, false);
     at += 4;

@@ -26,19 +26,19 @@ template <typename Slot, typename Next, typename Work, typename Finish>
 void workInOrder(std::vector<Slot>& slots, Next next, Work work, Finish finish) {
   std::deque<std::future<void>> running;  // the oldest is on slots[first]
   std::size_t first = 0;
-  const auto finishOldest = [&] {
+  const auto finish_oldest = [&] {
     running.front().get();
     running.pop_front();
     finish(slots[first]);
     first = (first + 1) % slots.size();
   };
   for (;;) {
-    if (running.size() == slots.size()) finishOldest();
+    if (running.size() == slots.size()) finish_oldest();
     Slot& slot = slots[(first + running.size()) % slots.size()];
     if (!next(slot)) break;
     running.push_back(std::async(std::launch::async, [&work, &slot] { work(slot); }));
   }
-  while (!running.empty()) finishOldest();
+  while (!running.empty()) finish_oldest();
 }
 
 }  // namespace line_plane_segmentation

@@ -19,7 +19,7 @@ void addParameterOptions(po::options_description& options) {
       "change one parameter of the preset; may be given more than once");
 }
 
-Parameters parametersOf(const po::variables_map& given, const OtherParameters& setOther) {
+Parameters parametersOf(const po::variables_map& given, const OtherParameters& set_other) {
   Parameters parameters;
   const auto& preset = given["preset"].as<std::string>();
   if (!loadPreset(preset, parameters)) {
@@ -29,7 +29,7 @@ Parameters parametersOf(const po::variables_map& given, const OtherParameters& s
     const std::size_t equals = setting.find('=');
     if (equals == std::string::npos) throw BadInput("--set takes PARAMETER=VALUE, not '" + setting + "'");
     const std::string name = setting.substr(0, equals), value = setting.substr(equals + 1);
-    if (setOther && setOther(name, value)) continue;
+    if (set_other && set_other(name, value)) continue;
     const std::string problem = setParameter(name, value, parameters);
     if (!problem.empty()) throw BadInput(problem);
   }
@@ -50,7 +50,7 @@ std::string parameterLine(const std::string& name, const std::string& value, con
 
 std::string parameterList() {
   std::string list = "Parameters (default, smallest to largest; 0 as default: from the image's width)\n";
-  const auto toText = [](auto value) {
+  const auto to_text = [](auto value) {
     std::ostringstream text;
     text << std::boolalpha << value;
     return text.str();
@@ -61,7 +61,7 @@ std::string parameterList() {
     if constexpr (std::is_same_v<decltype(value), Method>) {
       list += parameterLine(name, "adaptive", "or paper");
     } else {
-      list += parameterLine(name, toText(value), toText(min) + " to " + toText(max));
+      list += parameterLine(name, to_text(value), to_text(min) + " to " + to_text(max));
     }
   });
   return list;

@@ -18,10 +18,10 @@ void addParameterOptions(boost::program_options::options_description& options);
 using OtherParameters = std::function<bool(const std::string& name, const std::string& value)>;
 
 /// Returns the parameters that --preset and --set select.
-/// @param setOther  called first for each --set
+/// @param set_other  called first for each --set
 /// @throws BadInput if a name or value is invalid
 Parameters parametersOf(const boost::program_options::variables_map& given,
-                        const OtherParameters& setOther = {});
+                        const OtherParameters& set_other = {});
 
 /// Lists all parameters with default and bounds, for --help.
 std::string parameterList();

@@ -92,13 +92,13 @@ RobustFigure over(const std::vector<VariantScores>& variants, Figure figure) {
 
 double fraction(double part, double whole) { return whole > 0.0 ? part / whole : std::nan(""); }
 
-// The fraction of the regions for which isCounted(variants that find it, all variants) is true.
+// The fraction of the regions for which is_counted(variants that find it, all variants) is true.
 template <typename IsCounted>
-double fractionFound(const RobustScores& scores, IsCounted isCounted) {
+double fractionFound(const RobustScores& scores, IsCounted is_counted) {
   const auto all = static_cast<int>(scores.variants.size());
   const auto counted =
       std::count_if(scores.regions.begin(), scores.regions.end(),
-                    [&](const RegionRecord& region) { return isCounted(region.found, all); });
+                    [&](const RegionRecord& region) { return is_counted(region.found, all); });
   return fraction(static_cast<double>(counted), static_cast<double>(scores.regions.size()));
 }
 
@@ -150,12 +150,12 @@ double RobustScores::uncertain() const {
 
 RobustScores evaluateRobustly(const std::vector<LabelledFrame>& frames,
                               const std::vector<FrameVariant>& variants,
-                              const MakeFrameSegmenter& makeSegmenter, const EvaluationSettings& settings) {
+                              const MakeFrameSegmenter& make_segmenter, const EvaluationSettings& settings) {
   RobustScores result;
   result.frames = frames.size();
   result.variants.resize(variants.size());
   std::vector<FrameWork> slots(std::min(slotsForAllCores(), frames.size()));
-  for (FrameWork& slot : slots) slot.segmenter = makeSegmenter();
+  for (FrameWork& slot : slots) slot.segmenter = make_segmenter();
   std::size_t next_frame = 0;
   workInOrder(
       slots,

@@ -77,6 +77,6 @@ using MakeFrameSegmenter = std::function<std::unique_ptr<FrameSegmenter>()>;
 /// @param settings  tolerance and min_pixels are used
 RobustScores evaluateRobustly(const std::vector<LabelledFrame>& frames,
                               const std::vector<FrameVariant>& variants,
-                              const MakeFrameSegmenter& makeSegmenter, const EvaluationSettings& settings);
+                              const MakeFrameSegmenter& make_segmenter, const EvaluationSettings& settings);
 
 }  // namespace line_plane_segmentation

@@ -22,8 +22,8 @@ std::array<double, kSensitivityFigures> evaluate(const NamedSet& set, const Para
                                                  const ScaledParameter& scaled,
                                                  const std::vector<FrameVariant>& variants,
                                                  const EvaluationSettings& settings) {
-  const auto makeSegmenter = [&] { return std::make_unique<LinePrimitiveSegmenter>(parameters, scaled); };
-  return meansOf(evaluateRobustly(set.frames, variants, makeSegmenter, settings));
+  const auto make_segmenter = [&] { return std::make_unique<LinePrimitiveSegmenter>(parameters, scaled); };
+  return meansOf(evaluateRobustly(set.frames, variants, make_segmenter, settings));
 }
 
 }  // namespace

@@ -6,7 +6,7 @@
 #include <iostream>
 #include <vector>
 
-#include "line_plane_segmentation/simulation/simulation.h"
+#include "simulation.h"
 
 int main(int argc, char** argv) {
   using namespace line_plane_segmentation::simulation;

@@ -86,22 +86,22 @@ TEST_F(Conversion, givesIndicesInTheCloud) {
 }
 
 TEST_F(Conversion, takesNoMalformedLabels) {
-  const auto isEmpty = [&](const sensor_msgs::Image& labels) {
+  const auto is_empty = [&](const sensor_msgs::Image& labels) {
     return pointIndices(planes_, &planes_.planes[1], labels)->indices.empty();
   };
   sensor_msgs::Image labels = labels_;
   labels.data.pop_back();
-  EXPECT_TRUE(isEmpty(labels));
+  EXPECT_TRUE(is_empty(labels));
   labels = labels_;
   labels.step = 5;
-  EXPECT_TRUE(isEmpty(labels));
+  EXPECT_TRUE(is_empty(labels));
   labels = labels_;
   labels.encoding = "8UC1";
-  EXPECT_TRUE(isEmpty(labels));
+  EXPECT_TRUE(is_empty(labels));
   labels = labels_;
   labels.height = 4000000000U;
-  EXPECT_TRUE(isEmpty(labels));
-  EXPECT_TRUE(isEmpty({}));
+  EXPECT_TRUE(is_empty(labels));
+  EXPECT_TRUE(is_empty({}));
 }
 
 TEST_F(Conversion, givesTheOutline) {

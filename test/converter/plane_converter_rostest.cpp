@@ -71,14 +71,14 @@ TEST(PlaneConverter, pairsPlanesWithLabelsAfterAJumpBackInTime) {
   ros::NodeHandle nh;
   const ros::Publisher planes = nh.advertise<PlaneArray>("bag/planes", 20);
   const ros::Publisher labels = nh.advertise<sensor_msgs::Image>("bag/labels", 20);
-  const auto publishPlanes = [&planes](const ros::Time& stamp) {
+  const auto publish_planes = [&planes](const ros::Time& stamp) {
     PlaneArray message;
     message.header.stamp = stamp;
     planes.publish(message);
   };
   const Inbox<pcl_msgs::ModelCoefficients> model("bag_converter/model");
   ASSERT_TRUE(waitUntil([&] { return planes.getNumSubscribers() > 0; }));
-  for (int i = 0; i < 20; ++i) publishPlanes(ros::Time(100.0 + i));
+  for (int i = 0; i < 20; ++i) publish_planes(ros::Time(100.0 + i));
   spinFor(0.5);
 
   const Inbox<pcl_msgs::PointIndices> inliers("bag_converter/inliers");
@@ -91,7 +91,7 @@ TEST(PlaneConverter, pairsPlanesWithLabelsAfterAJumpBackInTime) {
     image.width = image.height = 1;
     image.step = 2;
     image.data.resize(2);
-    publishPlanes(stamp);
+    publish_planes(stamp);
     labels.publish(image);
     return inliers.newest() != nullptr;
   }));

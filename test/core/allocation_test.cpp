@@ -133,18 +133,18 @@ long peakOf(Function&& function) {
 
 TEST(AllocationCounter, KnowsThePeak) {
   // Small enough for none to be rounded up to whole pages.
-  const auto kilobytesOf = [](const auto& function) { return (peakOf(function) + 500) / 1024; };
+  const auto kilobytes_of = [](const auto& function) { return (peakOf(function) + 500) / 1024; };
   std::vector<char> first, second;
   EXPECT_EQ(peakOf([] {}), 0);
-  EXPECT_EQ(kilobytesOf([&] { first.resize(70 << 10); }), 70);
-  EXPECT_EQ(kilobytesOf([&] {
+  EXPECT_EQ(kilobytes_of([&] { first.resize(70 << 10); }), 70);
+  EXPECT_EQ(kilobytes_of([&] {
               first = std::vector<char>();
               second.resize(50 << 10);
               first.resize(40 << 10);
               second = std::vector<char>();
             }),
             20);
-  EXPECT_EQ(kilobytesOf([&] { first.reserve(60 << 10); }), 60) << "both exist while it moves";
+  EXPECT_EQ(kilobytes_of([&] { first.reserve(60 << 10); }), 60) << "both exist while it moves";
 }
 
 /// A sequence of frames, as a moving camera has it: each is another image, and some have more in them than
@@ -181,16 +181,16 @@ TEST_P(WarmFrame, AllocatesNothing) {
   parameters.method = GetParam();
   PlaneSegmenter segmenter(parameters);
   const std::vector<std::vector<std::uint16_t>> images = frames(640, 480);
-  const auto segmentAll = [&] {
+  const auto segment_all = [&] {
     std::size_t planes = 0;
     for (const std::vector<std::uint16_t>& pixels : images) {
       planes += segmenter.segment(viewOf(pixels.data(), 640, 480), kinectCamera(640, 480)).planes.size();
     }
     return planes;
   };
-  EXPECT_GT(allocationsOf(segmentAll), 0) << "the first frames have to";
-  EXPECT_GT(segmentAll(), 10U) << "the images are too poor to test anything";
-  EXPECT_EQ(allocationsOf(segmentAll), 0);
+  EXPECT_GT(allocationsOf(segment_all), 0) << "the first frames have to";
+  EXPECT_GT(segment_all(), 10U) << "the images are too poor to test anything";
+  EXPECT_EQ(allocationsOf(segment_all), 0);
 }
 
 TEST_P(WarmFrame, AllocatesNothingForASmallerImage) {
@@ -198,12 +198,12 @@ TEST_P(WarmFrame, AllocatesNothingForASmallerImage) {
   parameters.method = GetParam();
   PlaneSegmenter segmenter(parameters);
   const std::vector<std::uint16_t> large = frames(640, 480)[1], small = frames(320, 240)[1];
-  const auto segmentBoth = [&] {
+  const auto segment_both = [&] {
     segmenter.segment(viewOf(large.data(), 640, 480), kinectCamera(640, 480));
     segmenter.segment(viewOf(small.data(), 320, 240), kinectCamera(320, 240));
   };
-  segmentBoth();
-  EXPECT_EQ(allocationsOf(segmentBoth), 0);
+  segment_both();
+  EXPECT_EQ(allocationsOf(segment_both), 0);
 }
 
 // Of all that a segmenter ever allocates, also while something grows, with images that need much of one thing
@@ -242,17 +242,17 @@ TEST(WarmTracker, AllocatesNothingHoweverMuchItHasSeen) {
   const Eigen::Isometry3d motion(Eigen::Translation3d(0.0, 0.0, 0.5));
   double seconds = 0.0;
   std::uint32_t newest = 0;
-  const auto trackAll = [&] {
+  const auto track_all = [&] {
     for (const Segmentation& segmentation : segmentations) {
       for (const std::uint32_t id : tracker.track(segmentation, kinectCamera(640, 480), ++seconds, &motion))
         newest = std::max(newest, id);
     }
   };
-  EXPECT_GT(allocationsOf(trackAll), 0);
-  for (int round = 0; round < 100; ++round) trackAll();
+  EXPECT_GT(allocationsOf(track_all), 0);
+  for (int round = 0; round < 100; ++round) track_all();
   const std::uint32_t before = newest;
   EXPECT_EQ(allocationsOf([&] {
-              for (int round = 0; round < 100; ++round) trackAll();
+              for (int round = 0; round < 100; ++round) track_all();
             }),
             0);
   EXPECT_GT(newest, before + 500) << "too few new planes to fill its memory";

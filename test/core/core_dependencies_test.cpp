@@ -48,8 +48,6 @@ TEST(CoreDependencies, AreEigenAndTheStandardInEveryFile) {
   for (const std::string& folder : {std::string(SOURCE_FOLDER) + "/src/core", include}) {
     for (auto entry = fs::recursive_directory_iterator(folder); entry != fs::recursive_directory_iterator();
          ++entry) {
-      // Headers of the ROS side and of the simulation are in folders of their own.
-      if (entry->is_directory() && folder == include) entry.disable_recursion_pending();
       if (!entry->is_regular_file() || entry->path().filename() == "CMakeLists.txt") continue;
       ++files;
       std::ifstream stream(entry->path());

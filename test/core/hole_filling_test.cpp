@@ -129,7 +129,7 @@ TEST(PerforatedImages, HaveThePlanesOfTheDenseImage) {
 // The same view by more or fewer pixels, or turned, has the same planes.
 TEST(SizesInTheView, FollowTheAngleThatAPixelSees) {
   const Surface wall = surfaceAt(2.0, 0.1), box = surfaceAt(1.6, -0.2);
-  const auto planesOf = [&](int width, int height, double focal_length) {
+  const auto planes_of = [&](int width, int height, double focal_length) {
     CameraIntrinsics camera = kinectCamera(width, height);
     camera.fx = camera.fy = focal_length;
     DepthImage depth = render(wall, camera, width, height);
@@ -143,10 +143,10 @@ TEST(SizesInTheView, FollowTheAngleThatAPixelSees) {
   };
   for (const double focal_length : {262.5, 425.0, 525.0, 1050.0}) {
     const int width = static_cast<int>(640 * focal_length / 525.0), height = width * 3 / 4;
-    EXPECT_EQ(planesOf(width, height, focal_length), 2U) << focal_length;
-    EXPECT_EQ(planesOf(height, width, focal_length), 2U) << focal_length << ", turned";
+    EXPECT_EQ(planes_of(width, height, focal_length), 2U) << focal_length;
+    EXPECT_EQ(planes_of(height, width, focal_length), 2U) << focal_length << ", turned";
   }
-  EXPECT_EQ(planesOf(848, 480, 425.0), 2U);
+  EXPECT_EQ(planes_of(848, 480, 425.0), 2U);
 }
 
 }  // namespace

@@ -127,13 +127,13 @@ TEST(LineGrower, SplitsAtAStepAndAtACrease) {
 TEST(LineGrower, ContinuesAfterASmallHoleOnly) {
   DepthImage depth = render(surfaceAt(2.0), kCamera, kWidth, kHeight);
   paint(surfaceAt(2.0), kCamera, {0, 0, 0, 0}, depth);
-  const auto withHole = [&depth](int pixels) {
+  const auto with_hole = [&depth](int pixels) {
     DepthImage holey = depth;
     for (int v = 0; v < kHeight; ++v) std::fill_n(holey.row(v) + 150, pixels, 0.0F);
     return Lines(holey).ofMiddleRow().size();
   };
-  EXPECT_EQ(withHole(10), 1U);
-  EXPECT_EQ(withHole(40), 2U);
+  EXPECT_EQ(with_hole(10), 1U);
+  EXPECT_EQ(with_hole(40), 2U);
 }
 
 TEST(LineGrower, DropsSegmentsOfTooFewPoints) {
@@ -154,12 +154,12 @@ TEST(DescribeSegments, CountsThePointsBetweenTheEnds) {
   ASSERT_FALSE(segments.empty());
   for (const LineSegment& segment : segments) {
     const bool is_row = segment.direction == ScanDirection::kRow;
-    const auto isValid = [&](int i) {
+    const auto is_valid = [&](int i) {
       return (is_row ? depth.at(i, segment.scanline) : depth.at(segment.scanline, i)) > 0.0F;
     };
-    ASSERT_TRUE(isValid(segment.first) && isValid(segment.last));
+    ASSERT_TRUE(is_valid(segment.first) && is_valid(segment.last));
     int points = 0;
-    for (int i = segment.first; i <= segment.last; ++i) points += isValid(i) ? 1 : 0;
+    for (int i = segment.first; i <= segment.last; ++i) points += is_valid(i) ? 1 : 0;
     EXPECT_EQ(segment.points, points);
     EXPECT_GT(segment.covariance.trace(), 0.0);
 

@@ -23,20 +23,20 @@ TEST(MeasuredDistortion, KeepsABentWallWhole) {
   }
   Random random(3);
   addNoise({}, 0.5, random, depth);
-  const auto planesAt = [&depth](double noise_scale) {
+  const auto planes_at = [&depth](double noise_scale) {
     Parameters parameters;
     parameters.noise.scale = noise_scale;
     PlaneSegmenter segmenter(parameters);
     return segmenter.segment(viewOf(depth.z.data(), 640, 480), kinectCamera(640, 480)).planes.size();
   };
-  EXPECT_LE(planesAt(0.0), 2U);
-  EXPECT_GE(planesAt(1.0), 5U);
+  EXPECT_LE(planes_at(0.0), 2U);
+  EXPECT_GE(planes_at(1.0), 5U);
 }
 
 class CandidateCurvature : public testing::TestWithParam<Method> {};
 
 TEST_P(CandidateCurvature, GrowsWithTheSquareOfTheNoise) {
-  const auto medianAt = [](double noise_factor) {
+  const auto median_at = [](double noise_factor) {
     DepthImage depth = render(surfaceAt(2.0, 0.3), kinectCamera(320, 240), 320, 240);
     Random random(5);
     addNoise({}, noise_factor, random, depth);
@@ -51,10 +51,10 @@ TEST_P(CandidateCurvature, GrowsWithTheSquareOfTheNoise) {
     }
     return median(curvatures);
   };
-  const double once = medianAt(0.5);
+  const double once = median_at(0.5);
   EXPECT_GT(once, 0.0);
-  EXPECT_NEAR(medianAt(1.0) / once, 4.0, 1.5);
-  EXPECT_LT(medianAt(0.0), 0.01 * once);
+  EXPECT_NEAR(median_at(1.0) / once, 4.0, 1.5);
+  EXPECT_LT(median_at(0.0), 0.01 * once);
 }
 
 INSTANTIATE_TEST_SUITE_P(Methods, CandidateCurvature, testing::Values(Method::kPaper, Method::kAdaptive),

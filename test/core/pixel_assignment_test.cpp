@@ -138,17 +138,17 @@ void expectAsBruteForce(const Assignment& assignment) {
     }
     for (int first = 0, last = 0; first < width; first = last) {
       const auto label = [&](int u) { return expected[static_cast<std::size_t>(u)]; };
-      const auto isClose = [&](int u) {
+      const auto close_at = [&](int u) {
         return 0 <= u && u < width && is_close[static_cast<std::size_t>(u)];
       };
-      while (last < width && label(last) == label(first) && isClose(last) == isClose(first)) ++last;
+      while (last < width && label(last) == label(first) && close_at(last) == close_at(first)) ++last;
       for (int u = first; u < last; ++u) {
         const std::uint16_t found = assignment.labels[assignment.depth.index(u, v)];
         if (found == label(u) || is_close[static_cast<std::size_t>(u)]) continue;
         const bool is_speckle =
             last - first <= kMaxSpeckle && label(u) != kNoDepthLabel && first > 0 && last < width;
-        ASSERT_TRUE(is_speckle && (found == label(first - 1) || found == label(last) || isClose(first - 1) ||
-                                   isClose(last)))
+        ASSERT_TRUE(is_speckle && (found == label(first - 1) || found == label(last) || close_at(first - 1) ||
+                                   close_at(last)))
             << u << ' ' << v << ": " << found << ", expected " << label(u) << assignment.errorsAt(u, v);
       }
     }

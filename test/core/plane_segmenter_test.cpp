@@ -88,15 +88,15 @@ TEST(Tolerances, FollowTheSensorsNoise) {
   Random random(5);
   addNoise(NoiseParameters{}, 1.0, random, depth);
   const std::vector<std::uint16_t> pixels = toMillimetres(depth);
-  const auto largestShare = [&pixels](const char* preset) {
+  const auto largest_share = [&pixels](const char* preset) {
     Parameters parameters;
     EXPECT_TRUE(loadPreset(preset, parameters));
     PlaneSegmenter segmenter(parameters);
     const auto& planes = segmenter.segment(viewOf(pixels.data(), 640, 480), kinectCamera(640, 480)).planes;
     return planes.empty() ? 0.0 : planes.front().inliers / (640.0 * 480.0);
   };
-  EXPECT_GT(largestShare("kinect"), 0.99);
-  EXPECT_LT(largestShare("paper"), 0.5);
+  EXPECT_GT(largest_share("kinect"), 0.99);
+  EXPECT_LT(largest_share("paper"), 0.5);
 }
 
 TEST_P(PlaneSegmenterTest, OfAnEmptyViewIsEmpty) {

@@ -74,14 +74,14 @@ class Reference {
       if (labels_[outside] == kNoDepthLabel || isSmall(outside)) return;
       ++border[areParted(inside, outside) ? std::uint16_t{0} : labels_[outside]];
     };
-    const auto meetBoth = [&](std::size_t a, std::size_t b) {
+    const auto meet_both = [&](std::size_t a, std::size_t b) {
       meet(a, b);
       meet(b, a);
     };
     for (int v = 0; v < depth_.height; ++v) {
       for (int u = 0; u < depth_.width; ++u) {
-        if (u > 0) meetBoth(depth_.index(u - 1, v), depth_.index(u, v));
-        if (v > 0) meetBoth(depth_.index(u, v - 1), depth_.index(u, v));
+        if (u > 0) meet_both(depth_.index(u - 1, v), depth_.index(u, v));
+        if (v > 0) meet_both(depth_.index(u, v - 1), depth_.index(u, v));
       }
     }
     return border;

@@ -149,7 +149,7 @@ TEST(RegionCleaner, LeavesWhatLiesOffThePlaneAroundIt) {
 // A bump in the wall whose foot is no step: all of its border touches the wall.
 TEST(RegionCleaner, LeavesWhatRisesFromThePlaneWithoutAStep) {
   const Region box = {5, 25, 5, 12};
-  const auto pixelsInNoPlane = [&box](double height) {
+  const auto pixels_in_no_plane = [&box](double height) {
     TwoWalls walls;
     walls.parameters.extraction.plane_distance = 0.0;
     for (int v = box.first_v; v < box.last_v; ++v) {
@@ -165,8 +165,8 @@ TEST(RegionCleaner, LeavesWhatRisesFromThePlaneWithoutAStep) {
     walls.clean();
     return walls.pixelsOf(0);
   };
-  EXPECT_EQ(pixelsInNoPlane(1.6), 0);
-  EXPECT_EQ(pixelsInNoPlane(4.0), 140) << "more than twice the tolerance on average";
+  EXPECT_EQ(pixels_in_no_plane(1.6), 0);
+  EXPECT_EQ(pixels_in_no_plane(4.0), 140) << "more than twice the tolerance on average";
 }
 
 TEST(RegionCleaner, GivesAPieceBetweenTwoPlanesToTheOneThatHoldsMostOfItsBorder) {

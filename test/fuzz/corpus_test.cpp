@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "line_plane_segmentation/ros/cloud_validation.h"
+#include "cloud_validation.h"
 #include "message_fields.h"
 #include "ros/cloud_validation_cases.h"
 #include "ros/image_validation_cases.h"

@@ -3,7 +3,7 @@
 
 #include "byte_reader.h"
 #include "line_plane_segmentation/parameters.h"
-#include "line_plane_segmentation/ros/location_parameters.h"
+#include "location_parameters.h"
 
 namespace line_plane_segmentation {
 

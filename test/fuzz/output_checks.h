@@ -2,7 +2,7 @@
 #pragma once
 
 #include "frame_segmenter.h"
-#include "line_plane_segmentation/ros/published_planes.h"
+#include "published_planes.h"
 
 namespace line_plane_segmentation {
 

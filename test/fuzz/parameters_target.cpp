@@ -8,7 +8,7 @@
 #include "drawn_parameters.h"
 #include "drawn_scene.h"
 #include "frame_run.h"
-#include "line_plane_segmentation/ros/parameter_config.h"
+#include "parameter_config.h"
 #include "ros/test_messages.h"
 #include "targets.h"
 

@@ -34,7 +34,7 @@ bash "$source_folder/test/install/flags/compare.sh" "$source_folder" "$scratch/i
 
 # Nor may any header need more than is there; where ROS lies in /usr the compiler would find it.
 cd "$scratch/installed/include"
-if grep -rE '#include <(ros|[a-z_]+_msgs|line_plane_segmentation/(ros|simulation))/' .; then
+if grep -rE '#include <(ros|[a-z_]+_msgs)/' .; then
   echo "these headers need what is not installed" >&2
   exit 1
 fi

@@ -30,8 +30,8 @@ RobustScores evaluateFew(const std::vector<LabelledFrame>& frames, const Paramet
                          std::int64_t min_pixels) {
   EvaluationSettings settings;
   settings.min_pixels = min_pixels;
-  const auto makeSegmenter = [&] { return std::make_unique<LinePrimitiveSegmenter>(parameters); };
-  return evaluateRobustly(frames, fewVariants(), makeSegmenter, settings);
+  const auto make_segmenter = [&] { return std::make_unique<LinePrimitiveSegmenter>(parameters); };
+  return evaluateRobustly(frames, fewVariants(), make_segmenter, settings);
 }
 
 void expectAtLeast(const QualityFigures& floors, const RobustScores& scores) {

@@ -81,14 +81,14 @@ struct CreasePixels {
     for (std::size_t v = kReach; v + kReach < height; ++v) {
       for (std::size_t u = kReach; u + kReach < width; ++u) {
         const std::size_t here = v * width + u, across = kReach * width;
-        const auto isCrease = [&](std::size_t there) {
+        const auto is_crease = [&](std::size_t there) {
           return truth[there] != truth[here] && label_of.count(truth[there]) != 0 &&
                  std::abs(depth[there] - depth[here]) < kNoStep * depth[here];
         };
         const auto label = label_of.find(truth[here]);
         if (label == label_of.end()) continue;
-        if (!isCrease(here - kReach) && !isCrease(here + kReach) && !isCrease(here - across) &&
-            !isCrease(here + across))
+        if (!is_crease(here - kReach) && !is_crease(here + kReach) && !is_crease(here - across) &&
+            !is_crease(here + across))
           continue;
         ++all;
         right += segmentation.labels[here] == label->second ? 1 : 0;

@@ -3,8 +3,8 @@
 
 #include <cstdio>
 
-#include "line_plane_segmentation/simulation/simulated_camera.h"
 #include "region_overlap.h"
+#include "simulated_camera.h"
 
 namespace line_plane_segmentation {
 namespace {
@@ -33,10 +33,10 @@ std::vector<std::uint16_t> judgedTruth(const Rendering& rendering, const std::ve
 }  // namespace
 
 LabelledFrame SimulatedFrame::labelled() const {
-  const auto imageOf = [this](const std::vector<std::uint16_t>& pixels) {
+  const auto image_of = [this](const std::vector<std::uint16_t>& pixels) {
     return cv::Mat(height(), width(), CV_16UC1, const_cast<std::uint16_t*>(pixels.data())).clone();
   };
-  return {name, imageOf(depth), imageOf(truth), camera, 0.001};
+  return {name, image_of(depth), image_of(truth), camera, 0.001};
 }
 
 void forEachSimulatedFrame(const RoomRange& rooms, const std::function<void(const SimulatedFrame&)>& visit) {

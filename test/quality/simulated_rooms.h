@@ -8,7 +8,7 @@
 
 #include "labelled_set.h"
 #include "line_plane_segmentation/camera_intrinsics.h"
-#include "line_plane_segmentation/simulation/renderer.h"
+#include "renderer.h"
 
 namespace line_plane_segmentation {
 

@@ -11,8 +11,8 @@
 
 #include "line_plane_segmentation/plane_segmenter.h"
 #include "line_plane_segmentation/plane_tracker.h"
-#include "line_plane_segmentation/simulation/simulated_camera.h"
 #include "region_overlap.h"
+#include "simulated_camera.h"
 #include "support/median.h"
 
 namespace line_plane_segmentation {

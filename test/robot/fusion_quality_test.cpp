@@ -14,7 +14,7 @@
 #include "line_plane_segmentation/plane_segmenter.h"
 #include "line_plane_segmentation/plane_track_filter.h"
 #include "line_plane_segmentation/plane_tracker.h"
-#include "line_plane_segmentation/simulation/simulated_camera.h"
+#include "simulated_camera.h"
 #include "support/random.h"
 
 namespace line_plane_segmentation {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "line_plane_segmentation/robot/object_detection.h"
+#include "object_detection.h"
 
 #include <gtest/gtest.h>
 
@@ -11,7 +11,7 @@
 
 #include "line_plane_segmentation/orientation.h"
 #include "line_plane_segmentation/plane_segmenter.h"
-#include "line_plane_segmentation/simulation/simulation.h"
+#include "simulation.h"
 
 namespace line_plane_segmentation {
 namespace {

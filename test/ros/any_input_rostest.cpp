@@ -31,10 +31,10 @@ struct Side {
 
   bool isReady() const { return camera.waitForSubscriber(); }
 
-  // Publishes images at 20 Hz, and with each what `publishInfo` does. Returns how many were answered.
-  int answered(const std::function<void(int)>& publishInfo) {
+  // Publishes images at 20 Hz, and with each what `publish_info` does. Returns how many were answered.
+  int answered(const std::function<void(int)>& publish_info) {
     for (int i = 0; i < kFrames; ++i) {
-      publishInfo(i);
+      publish_info(i);
       camera.publishImage(image, stampOfFrame(i));
       spinFor(0.05);
     }

@@ -10,7 +10,7 @@
 #include <ostream>
 #include <vector>
 
-#include "line_plane_segmentation/ros/image_validation.h"
+#include "image_validation.h"
 
 namespace line_plane_segmentation {
 

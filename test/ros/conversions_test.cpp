@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "line_plane_segmentation/ros/conversions.h"
+#include "conversions.h"
 
 #include <gtest/gtest.h>
 #include <pcl/point_cloud.h>

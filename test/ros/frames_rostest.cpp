@@ -123,14 +123,14 @@ TEST_F(Frames, givesAFloorInTheWorld) {
 }
 
 TEST_F(Frames, leavesOutWhatIsNotWanted) {
-  const auto onlyWalls = [](PlaneSegmenterConfig& config) {
+  const auto only_walls = [](PlaneSegmenterConfig& config) {
     config.gravity_frame = "world";
     config.publish_horizontal_up = false;
   };
   reconfigure([](PlaneSegmenterConfig& config) { config.gravity_frame = "world"; });
   ASSERT_TRUE(answersSoon("world"));
   EXPECT_EQ(kCameraFrame, planes_->newest()->header.frame_id);
-  reconfigure(onlyWalls);
+  reconfigure(only_walls);
   const ros::Time stamp = nextStamp();
   sendTransform("world", stamp);
   publish(stamp);
@@ -209,11 +209,11 @@ TEST_F(Frames, waitsForStaticTransformsOnce) {
 
 // Most transforms arrive shortly after their image.
 TEST_F(Frames, waitsALittleForLateTransformsAndNotForever) {
-  const auto inTheWorld = [](PlaneSegmenterConfig& config) {
+  const auto in_the_world = [](PlaneSegmenterConfig& config) {
     config.target_frame = config.gravity_frame = "world";
     config.tf_patience = 0.5;
   };
-  reconfigure(inTheWorld);
+  reconfigure(in_the_world);
   ASSERT_TRUE(answersSoon("world"));
   for (int i = 0; i < 3; ++i) {
     const ros::Time stamp = nextStamp();

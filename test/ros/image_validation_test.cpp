@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "line_plane_segmentation/ros/image_validation.h"
+#include "image_validation.h"
 
 #include <gtest/gtest.h>
 
@@ -112,6 +112,27 @@ TEST(Validation, movesAndScalesIntrinsicsWithTheImage) {
   EXPECT_EQ(255.0, found.camera.fy);
   EXPECT_EQ(110.0, found.camera.cx);
   EXPECT_EQ(90.0, found.camera.cy);
+}
+
+// K describes the raw image, P the rectified one. A third of a pixel is no binary fraction.
+TEST(Intrinsics, areOfTheRawOrTheRectifiedImage) {
+  CameraInfo info = testInfo(640, 480);
+  info.K = {501.0, 0.0, 321.0, 0.0, 511.0, 241.0, 0.0, 0.0, 1.0};
+  info.P = {400.0, 0.0, 320.0, 0.0, 0.0, 410.0, 240.0, 0.0, 0.0, 0.0, 1.0, 0.0};
+  info.binning_x = 3;
+  info.roi.x_offset = 21;
+  info.roi.y_offset = 11;  // without a height: the full height is shown
+  info.roi.width = 300;
+  const CameraIntrinsics raw = rawIntrinsics(info);
+  EXPECT_DOUBLE_EQ(167.0, raw.fx);
+  EXPECT_DOUBLE_EQ(511.0, raw.fy);
+  EXPECT_DOUBLE_EQ(100.0, raw.cx);
+  EXPECT_DOUBLE_EQ(241.0, raw.cy);
+  const CameraIntrinsics rectified = rectifiedIntrinsics(info);
+  EXPECT_DOUBLE_EQ(400.0 / 3.0, rectified.fx);
+  EXPECT_DOUBLE_EQ(410.0, rectified.fy);
+  EXPECT_DOUBLE_EQ(299.0 / 3.0, rectified.cx);
+  EXPECT_DOUBLE_EQ(240.0, rectified.cy);
 }
 
 TEST(Validation, noticesDistortion) {

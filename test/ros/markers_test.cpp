@@ -8,9 +8,9 @@
 #include <string>
 #include <vector>
 
+#include "conversions.h"
 #include "frame_segmenter.h"
 #include "line_plane_segmentation/palette.h"
-#include "line_plane_segmentation/ros/conversions.h"
 #include "test_messages.h"
 
 namespace line_plane_segmentation {

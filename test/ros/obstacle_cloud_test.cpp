@@ -9,7 +9,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "line_plane_segmentation/ros/palette.h"
+#include "line_plane_segmentation/palette.h"
 #include "test_messages.h"
 
 namespace line_plane_segmentation {

@@ -86,7 +86,7 @@ TEST_F(Overload, newestFirstAndTheRestCounted) {
   const int dropped_before = dropped();
   published_ = answered_ = 0;
 
-  const auto publishFor = [&](double seconds) {
+  const auto publish_for = [&](double seconds) {
     const double end = now() + seconds;
     int published = 0;
     for (double next = now(); next < end; next += pause, ++published) {
@@ -95,11 +95,11 @@ TEST_F(Overload, newestFirstAndTheRestCounted) {
     }
     return published;
   };
-  publishFor(1.5);
+  publish_for(1.5);
   constexpr double kSeconds = 3.0;
   const double memory = residentMegabytes(process);
   forgetAnswers();
-  const int published = publishFor(kSeconds);
+  const int published = publish_for(kSeconds);
 
   ASSERT_GT(stamps_.size(), 10U);
   EXPECT_LT(static_cast<int>(stamps_.size()), published * 3 / 4) << "that was no overload";

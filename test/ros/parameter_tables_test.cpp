@@ -8,7 +8,7 @@
 #include <regex>
 #include <string>
 
-#include "line_plane_segmentation/ros/parameter_config.h"
+#include "parameter_config.h"
 #include "start_parameters.h"
 
 namespace line_plane_segmentation {

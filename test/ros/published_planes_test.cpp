@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Target frame and selection by orientation, and that all messages follow them.
-#include "line_plane_segmentation/ros/published_planes.h"
+#include "published_planes.h"
 
 #include <gtest/gtest.h>
 #include <sensor_msgs/point_cloud2_iterator.h>
@@ -9,7 +9,7 @@
 #include <cstring>
 #include <vector>
 
-#include "line_plane_segmentation/ros/conversions.h"
+#include "conversions.h"
 #include "test_messages.h"
 
 namespace line_plane_segmentation {
@@ -151,12 +151,12 @@ TEST_F(Published, isWhatTheImagesShow) {
 
   const auto overlay = overlayImage(frame());
   EXPECT_EQ(kCameraFrame, overlay->header.frame_id);
-  const auto isGrey = [&](std::size_t u) {
+  const auto is_grey = [&](std::size_t u) {
     return overlay->data[3 * u] == overlay->data[3 * u + 1] &&
            overlay->data[3 * u] == overlay->data[3 * u + 2];
   };
-  EXPECT_TRUE(isGrey(2));
-  EXPECT_FALSE(isGrey(0) || isGrey(1) || isGrey(3));
+  EXPECT_TRUE(is_grey(2));
+  EXPECT_FALSE(is_grey(0) || is_grey(1) || is_grey(3));
 }
 
 TEST_F(Published, isWhereTheCloudIs) {

@@ -99,7 +99,7 @@ TEST_F(Reload, givesASlowFrameUp) {
   const Inbox<PlaneArray> planes("slow_segmenter/planes");
   ASSERT_TRUE(waitUntil([this] { return camera_.imageSubscribers() > 0; }));
   const Inbox<diagnostic_msgs::DiagnosticArray> diagnostics("/diagnostics");
-  const auto isReported = [&diagnostics] {
+  const auto is_reported = [&diagnostics] {
     const auto report = diagnostics.newest();
     return report && std::any_of(report->status.begin(), report->status.end(), [](const auto& status) {
              return status.name.find("slow_segmenter") != std::string::npos &&
@@ -107,7 +107,7 @@ TEST_F(Reload, givesASlowFrameUp) {
            });
   };
   publishNext();
-  EXPECT_TRUE(waitUntil(isReported, 20.0));
+  EXPECT_TRUE(waitUntil(is_reported, 20.0));
   EXPECT_TRUE(unloadSegmenter("/slow_segmenter"));
   spinFor(0.5);
   EXPECT_EQ(0, planes.count()) << "the frame was processed to its end";

@@ -16,8 +16,8 @@
 #include <string>
 #include <vector>
 
-#include "line_plane_segmentation/simulation/simulated_camera.h"
 #include "reconfigure.h"
+#include "simulated_camera.h"
 #include "simulated_frames.h"
 #include "test_camera.h"
 

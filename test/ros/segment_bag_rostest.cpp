@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "line_plane_segmentation/simulation/simulated_camera.h"
+#include "simulated_camera.h"
 #include "test_camera.h"
 #include "tools/temporary_folder.h"
 #include "tools/test_bag.h"

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "line_plane_segmentation/simulation/simulated_camera.h"
+#include "simulated_camera.h"
 #include "test_messages.h"
 
 namespace line_plane_segmentation {

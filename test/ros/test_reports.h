@@ -85,9 +85,9 @@ class LogLines {
             })) {
     // Messages before the connection is established are lost: a harmless one is logged repeatedly until it
     // arrives.
-    const auto askForAnEvenNumber = [](PlaneSegmenterConfig& config) { config.points_per_segment = 4; };
+    const auto ask_for_an_even_number = [](PlaneSegmenterConfig& config) { config.points_per_segment = 4; };
     EXPECT_TRUE(waitUntil([&] {
-      reconfigure(askForAnEvenNumber);
+      reconfigure(ask_for_an_even_number);
       spinFor(0.1);
       return !lines_.empty();
     })) << "the log is not heard";

@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "line_plane_segmentation/camera_intrinsics.h"
-#include "line_plane_segmentation/simulation/scene.h"
+#include "scene.h"
 
 namespace line_plane_segmentation::simulation {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "line_plane_segmentation/simulation/kinect_noise.h"
+#include "kinect_noise.h"
 
 #include <gtest/gtest.h>
 

@@ -72,13 +72,13 @@ TEST(MissingPixels, GrazedSurfacesGoMissing) {
   render(scene, Eigen::Isometry3d::Identity(), narrow, kWidth, kHeight, picture);
   Image mm(picture.depth.size());
   KinectNoise(p).apply(picture, narrow, 0, mm.data());
-  const auto shareInRow = [&](int v) {
+  const auto share_in_row = [&](int v) {
     const auto row = mm.begin() + static_cast<long>(v) * kWidth;
     return static_cast<double>(std::count(row, row + kWidth, 0)) / kWidth;
   };
-  EXPECT_EQ(shareInRow(101 + 130), 1.0) << "86.3 degrees";
-  EXPECT_NEAR(shareInRow(101 + 280), 0.49, 0.1) << "82 degrees";
-  EXPECT_NEAR(shareInRow(kHeight - 1), 0.16, 0.08) << "79.3 degrees";
+  EXPECT_EQ(share_in_row(101 + 130), 1.0) << "86.3 degrees";
+  EXPECT_NEAR(share_in_row(101 + 280), 0.49, 0.1) << "82 degrees";
+  EXPECT_NEAR(share_in_row(kHeight - 1), 0.16, 0.08) << "79.3 degrees";
   EXPECT_EQ(missingShare(apply(p, wallAt(2.0))), 0.0);
 }
 

@@ -5,8 +5,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "line_plane_segmentation/simulation/kinect_noise.h"
-#include "line_plane_segmentation/simulation/simulated_camera.h"
+#include "kinect_noise.h"
+#include "simulated_camera.h"
 
 namespace line_plane_segmentation::simulation {
 

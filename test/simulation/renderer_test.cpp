@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "line_plane_segmentation/simulation/renderer.h"
+#include "renderer.h"
 
 #include <gtest/gtest.h>
 
@@ -10,8 +10,8 @@
 #include <stdexcept>
 
 #include "brute_force_ray.h"
-#include "line_plane_segmentation/simulation/room.h"
-#include "line_plane_segmentation/simulation/simulated_camera.h"
+#include "room.h"
+#include "simulated_camera.h"
 
 namespace line_plane_segmentation::simulation {
 namespace {

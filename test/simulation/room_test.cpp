@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "line_plane_segmentation/simulation/room.h"
+#include "room.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "line_plane_segmentation/simulation/renderer.h"
-#include "line_plane_segmentation/simulation/simulated_camera.h"
+#include "renderer.h"
+#include "simulated_camera.h"
 
 namespace line_plane_segmentation::simulation {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "line_plane_segmentation/simulation/scene.h"
+#include "scene.h"
 
 #include <gtest/gtest.h>
 

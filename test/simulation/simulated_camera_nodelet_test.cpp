@@ -213,20 +213,20 @@ TEST_F(SimulatedCameraNodelet, GivesLabelsWhileSomebodyWantsThem) {
 }
 
 TEST_F(SimulatedCameraNodelet, RendersNothingWhileNobodyLooks) {
-  const auto costOfTwoSeconds = [] {
+  const auto cost_of_two_seconds = [] {
     const double before = processorTime();
     spinFor(2.0);
     return processorTime() - before;
   };
   set("width", 1280);
   load();
-  const double before_anybody = costOfTwoSeconds();
+  const double before_anybody = cost_of_two_seconds();
   subscribe();
   ASSERT_TRUE(waitForFrames(1));
-  const double while_looking = costOfTwoSeconds();
+  const double while_looking = cost_of_two_seconds();
   depth_subscriber_.shutdown();
   spinFor(0.3);
-  const double after_all_left = costOfTwoSeconds();
+  const double after_all_left = cost_of_two_seconds();
   EXPECT_LT(before_anybody, 0.3 * while_looking);
   EXPECT_LT(after_all_left, 0.3 * while_looking);
 }
@@ -248,7 +248,7 @@ TEST_F(SimulatedCameraNodelet, CanBeUnloadedAtAnyTime) {
 }
 
 TEST_F(SimulatedCameraNodelet, StaysIdleWithWrongParametersAndLivesOn) {
-  const auto expectNothing = [this] {
+  const auto expect_nothing = [this] {
     load();
     subscribe();
     spinFor(0.5);
@@ -259,19 +259,19 @@ TEST_F(SimulatedCameraNodelet, StaysIdleWithWrongParametersAndLivesOn) {
     ros::param::del(kName);
   };
   set("width", std::string("wide"));
-  expectNothing();
+  expect_nothing();
   set("width", 0);
-  expectNothing();
+  expect_nothing();
   set("height", 100000);
-  expectNothing();
+  expect_nothing();
   set("rate", -30.0);
-  expectNothing();
+  expect_nothing();
   set("rate", 0);
-  expectNothing();
+  expect_nothing();
   set("noise", 3);
-  expectNothing();
+  expect_nothing();
   set("frame_id", std::string());
-  expectNothing();
+  expect_nothing();
 
   load();
   subscribe();

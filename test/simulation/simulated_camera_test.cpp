@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "line_plane_segmentation/simulation/simulated_camera.h"
+#include "simulated_camera.h"
 
 #include <gtest/gtest.h>
 

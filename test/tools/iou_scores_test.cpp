@@ -37,16 +37,16 @@ TEST(RegionOverlap, CountsRegionsAndWhatTheyShare) {
 }
 
 TEST(RegionOverlap, TheFringeOfWhatIsNotJudgedIsNoRegion) {
-  const auto labelRegions = [](int in_truth, int nowhere, int not_judged) {
+  const auto label_regions = [](int in_truth, int nowhere, int not_judged) {
     return countImages(
                {{1, 0, 100 - in_truth}, {1, 2, in_truth}, {0, 2, nowhere}, {kDoNotJudge, 2, not_judged}})
         .labels.size();
   };
-  EXPECT_EQ(labelRegions(10, 5, 15), 1U);
-  EXPECT_EQ(labelRegions(10, 5, 16), 0U);
-  EXPECT_EQ(labelRegions(0, 5, 6), 0U);
-  EXPECT_EQ(labelRegions(50, 5, 500), 0U);
-  EXPECT_EQ(labelRegions(51, 5, 500), 1U);
+  EXPECT_EQ(label_regions(10, 5, 15), 1U);
+  EXPECT_EQ(label_regions(10, 5, 16), 0U);
+  EXPECT_EQ(label_regions(0, 5, 6), 0U);
+  EXPECT_EQ(label_regions(50, 5, 500), 0U);
+  EXPECT_EQ(label_regions(51, 5, 500), 1U);
   EXPECT_TRUE(countImages({{1, 2, 10}, {1, 0, 90}, {kDoNotJudge, 2, 11}}).overlaps.empty());
 }
 

@@ -121,12 +121,12 @@ TEST_F(SegmentBagInput, FindsCameraInfoOfTheSameFrameUnderAnyName) {
 }
 
 TEST_F(SegmentBagInput, TakesCameraInfoFromTheNamedTopic) {
-  const auto writeOfAnotherFrame = [](rosbag::Bag& bag, int i) {
+  const auto write_of_another_frame = [](rosbag::Bag& bag, int i) {
     sensor_msgs::CameraInfo info = wallInfo(i);
     info.header.frame_id = "left";
     bag.write("/left/camera_info", recordingTime(i), info);
   };
-  writeBag(writeOfAnotherFrame);
+  writeBag(write_of_another_frame);
   expectRefused(run(), {"--info-topic", "/left/camera_info"});
   expectWalls(run({"--info-topic", "/left/camera_info"}), kFrames);
   expectWalls(run({"--topic", kDepth, "--info-topic", "left/camera_info"}), kFrames);

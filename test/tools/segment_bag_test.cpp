@@ -237,7 +237,7 @@ TEST_F(SegmentBag, RefusesWhatIsNoBag) {
 }
 
 TEST_F(SegmentBag, RefusesABagWithoutDepth) {
-  const auto writeBag = [this](const sensor_msgs::Image& image, const sensor_msgs::CameraInfo& info) {
+  const auto write_bag = [this](const sensor_msgs::Image& image, const sensor_msgs::CameraInfo& info) {
     rosbag::Bag bag(in(), rosbag::bagmode::Write);
     bag.write(kDepth, recordingTime(0), image);
     bag.write("/camera/depth/camera_info", recordingTime(0), info);
@@ -245,18 +245,18 @@ TEST_F(SegmentBag, RefusesABagWithoutDepth) {
   };
   sensor_msgs::Image colour = wallImage(0);
   colour.encoding = "rgb8";
-  writeBag(colour, wallInfo(0));
+  write_bag(colour, wallInfo(0));
   expectRefused(run(), "holds no depth images; its images are /camera/depth/image_raw (rgb8)");
   expectRefused(run({"--topic", kDepth}), "'rgb8' is no depth image");
-  writeBag(wallImage(0), wallInfo(5));
+  write_bag(wallImage(0), wallInfo(5));
   expectRefused(run({"--set", "info_matching=exact"}),
                 "none of the 1 images of /camera/depth/image_raw has a camera_info");
-  writeBag(wallImage(0), sensor_msgs::CameraInfo());
+  write_bag(wallImage(0), sensor_msgs::CameraInfo());
   expectRefused(run(), "none of the 1 images");
   sensor_msgs::CameraInfo uncalibrated = wallInfo(0);
   uncalibrated.K.fill(0.0);
   uncalibrated.P.fill(0.0);
-  writeBag(wallImage(0), uncalibrated);
+  write_bag(wallImage(0), uncalibrated);
   expectRefused(run(), "calibrate the camera");
 }
 

@@ -39,7 +39,7 @@ TEST_F(SegmentDepth, ReadsOtherFormats) {
   cv::Mat metres;
   wall().convertTo(metres, CV_32F, 1.0 / 5000.0);
   metres.colRange(0, 5).setTo(std::numeric_limits<float>::quiet_NaN());
-  const auto expectWall = [&](const std::string& image, const std::string& units) {
+  const auto expect_wall = [&](const std::string& image, const std::string& units) {
     SCOPED_TRACE(image);
     const ToolResult result =
         run({"--camera", "525,525,319.5,239.5", "--units-per-metre", units, "--out", out(), image});
@@ -61,14 +61,14 @@ TEST_F(SegmentDepth, ReadsOtherFormats) {
   };
   cv::Mat doubles;
   metres.convertTo(doubles, CV_64F);
-  expectWall(writeImage("a16.tiff", wall()), "5000");
-  expectWall(writeImage("a32.tiff", metres), "1");
-  expectWall(writeImage("b16.pgm", wall()), "5000");
-  expectWall(npy("u2.npy", "<u2", wall()), "5000");
-  expectWall(npy("f4.npy", "<f4", metres), "1");
-  expectWall(npy("f8.npy", "<f8", doubles), "1");
+  expect_wall(writeImage("a16.tiff", wall()), "5000");
+  expect_wall(writeImage("a32.tiff", metres), "1");
+  expect_wall(writeImage("b16.pgm", wall()), "5000");
+  expect_wall(npy("u2.npy", "<u2", wall()), "5000");
+  expect_wall(npy("f4.npy", "<f4", metres), "1");
+  expect_wall(npy("f8.npy", "<f8", doubles), "1");
   setenv("OPENCV_IO_ENABLE_OPENEXR", "1", 1);
-  expectWall(writeImage("c32.exr", metres), "1");
+  expect_wall(writeImage("c32.exr", metres), "1");
 
   std::filesystem::remove_all(out());
   expectRefused(segment({npy("wide.npy", "<u4", wall())}), "wide.npy: holds numbers of type '<u4'");

@@ -107,21 +107,21 @@ TEST_F(SegmentDepth, ExplainsItself) {
 
 TEST_F(SegmentDepth, RefusesAFileThatIsNoDepthImage) {
   const std::string good = writeImage("good.png", wall());
-  const auto expectBad = [&](const std::string& bad, const std::string& reason) {
+  const auto expect_bad = [&](const std::string& bad, const std::string& reason) {
     SCOPED_TRACE(bad);
     expectRefused(segment({good, bad}), reason);
   };
-  expectBad((folder_ / "missing.png").string(), "missing.png: no such file");
-  expectBad(folder_.path().string(), "is not a file");
-  expectBad(writeImage("grey.png", cv::Mat(48, 64, CV_8UC1, cv::Scalar(7))), "grey.png: has 8 bits");
-  expectBad(writeImage("color.png", cv::Mat(48, 64, CV_8UC3, cv::Scalar(7))), "color.png: has 3 channels");
-  expectBad(writeImage("color16.png", cv::Mat(48, 64, CV_16UC3, cv::Scalar(7))),
-            "color16.png: has 3 channels");
-  expectBad(folder_.write("empty.png", "").string(), "empty.png: cannot be read");
-  expectBad(folder_.write("text.png", "this is no picture\n").string(), "text.png: cannot be read");
+  expect_bad((folder_ / "missing.png").string(), "missing.png: no such file");
+  expect_bad(folder_.path().string(), "is not a file");
+  expect_bad(writeImage("grey.png", cv::Mat(48, 64, CV_8UC1, cv::Scalar(7))), "grey.png: has 8 bits");
+  expect_bad(writeImage("color.png", cv::Mat(48, 64, CV_8UC3, cv::Scalar(7))), "color.png: has 3 channels");
+  expect_bad(writeImage("color16.png", cv::Mat(48, 64, CV_16UC3, cv::Scalar(7))),
+             "color16.png: has 3 channels");
+  expect_bad(folder_.write("empty.png", "").string(), "empty.png: cannot be read");
+  expect_bad(folder_.write("text.png", "this is no picture\n").string(), "text.png: cannot be read");
   const std::string whole = textOf(good);
-  expectBad(folder_.write("cut.png", whole.substr(0, whole.size() / 2)).string(), "cut.png: cannot be read");
-  expectBad(folder_.write("no_width.png", withSize(whole, 0, 480)).string(), "no_width.png: cannot be read");
+  expect_bad(folder_.write("cut.png", whole.substr(0, whole.size() / 2)).string(), "cut.png: cannot be read");
+  expect_bad(folder_.write("no_width.png", withSize(whole, 0, 480)).string(), "no_width.png: cannot be read");
 }
 
 TEST_F(SegmentDepth, RefusesWrongOptions) {

@@ -63,7 +63,7 @@ struct Validation {
 };
 
 /// Validates a depth image and its camera_info before any pixel is read, from the two headers and the
-/// number of bytes only. Does not allocate and never throws, for any messages.
+/// number of bytes only. Never throws because of a message, and copies nothing whose length a message sets.
 Validation validate(const sensor_msgs::Image& image, const sensor_msgs::CameraInfo& info,
                     const InputLimits& limits = {});
 

@@ -3,8 +3,8 @@
 
 #include <cstdint>
 
-#include "line_plane_segmentation/simulation/camera_path.h"
-#include "line_plane_segmentation/simulation/scene.h"
+#include "camera_path.h"
+#include "scene.h"
 
 namespace line_plane_segmentation::simulation {
 

@@ -23,9 +23,9 @@
 /// no surface, or a curved one. The ground truth is complete, also at pixels whose depth is invalid because
 /// of noise.
 
-#include "line_plane_segmentation/simulation/camera_path.h"
-#include "line_plane_segmentation/simulation/kinect_noise.h"
-#include "line_plane_segmentation/simulation/renderer.h"
-#include "line_plane_segmentation/simulation/room.h"
-#include "line_plane_segmentation/simulation/scene.h"
-#include "line_plane_segmentation/simulation/simulated_camera.h"
+#include "camera_path.h"
+#include "kinect_noise.h"
+#include "renderer.h"
+#include "room.h"
+#include "scene.h"
+#include "simulated_camera.h"

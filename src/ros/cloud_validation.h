@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "image_validation.h"
 #include "line_plane_segmentation/camera_intrinsics.h"
-#include "line_plane_segmentation/ros/image_validation.h"
 
 namespace line_plane_segmentation {
 

@@ -9,8 +9,8 @@
 
 #include "line_plane_segmentation/parameters.h"
 #include "line_plane_segmentation/plane_tracker.h"
-#include "line_plane_segmentation/ros/location_parameters.h"
-#include "line_plane_segmentation/ros/robot_parameters.h"
+#include "location_parameters.h"
+#include "robot_parameters.h"
 
 namespace line_plane_segmentation {
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "line_plane_segmentation/camera_intrinsics.h"
-#include "line_plane_segmentation/simulation/scene.h"
+#include "scene.h"
 
 namespace line_plane_segmentation::simulation {
 

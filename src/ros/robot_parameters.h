@@ -2,7 +2,7 @@
 #pragma once
 
 #include "line_plane_segmentation/plane_track_filter.h"
-#include "line_plane_segmentation/robot/object_detection.h"
+#include "object_detection.h"
 
 namespace line_plane_segmentation {
 

@@ -5,7 +5,7 @@
 
 #include "line_plane_segmentation/camera_intrinsics.h"
 #include "line_plane_segmentation/parameters.h"
-#include "line_plane_segmentation/simulation/renderer.h"
+#include "renderer.h"
 
 namespace line_plane_segmentation::simulation {
 

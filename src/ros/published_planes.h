@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "line_plane_segmentation/orientation.h"
-#include "line_plane_segmentation/ros/location_parameters.h"
 #include "line_plane_segmentation/segmentation.h"
+#include "location_parameters.h"
 
 namespace line_plane_segmentation {
 

@@ -3,10 +3,10 @@
 
 #include <cstdint>
 
+#include "kinect_noise.h"
 #include "line_plane_segmentation/camera_intrinsics.h"
-#include "line_plane_segmentation/simulation/kinect_noise.h"
-#include "line_plane_segmentation/simulation/renderer.h"
-#include "line_plane_segmentation/simulation/room.h"
+#include "renderer.h"
+#include "room.h"
 
 namespace line_plane_segmentation::simulation {
 

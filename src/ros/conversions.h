@@ -13,8 +13,8 @@
 #include "line_plane_segmentation/depth_view.h"
 #include "line_plane_segmentation/line_segment.h"
 #include "line_plane_segmentation/plane_candidate.h"
-#include "line_plane_segmentation/ros/published_planes.h"
 #include "line_plane_segmentation/segmentation.h"
+#include "published_planes.h"
 
 namespace line_plane_segmentation {
 
