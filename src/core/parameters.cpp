@@ -133,8 +133,8 @@ std::string presetNames() {
 }
 
 bool loadPreset(const std::string& name, Parameters& parameters) {
-  const auto isNamed = [&name](const char* preset) { return name == preset; };
-  if (std::none_of(kPresetNames.begin(), kPresetNames.end(), isNamed)) return false;
+  const auto is_named = [&name](const char* preset) { return name == preset; };
+  if (std::none_of(kPresetNames.begin(), kPresetNames.end(), is_named)) return false;
   parameters = Parameters{};
   if (name == "stereo") {
     // z² / (f b) times 0.08 px of disparity, with f = 425 px and b = 50 mm (D435, 848x480).
@@ -180,10 +180,10 @@ std::string noEffect(const std::string& name, Method method) {
       "noise_scale", "distance_noise_factor", "patch_noise_factor", "patch_distance", "patch_flatness",
       "merge_cost",  "coplanar_cost",         "max_curvedness",     "max_waviness",   "max_bend",
       "min_patches", "min_region_pixels"};
-  const auto isOneOf = [&name](const auto& names) {
+  const auto is_one_of = [&name](const auto& names) {
     return std::find(names.begin(), names.end(), name) != names.end();
   };
-  const bool is_unused = method == Method::kPaper ? isOneOf(kOnlyAdaptive) : isOneOf(kOnlyPaper);
+  const bool is_unused = method == Method::kPaper ? is_one_of(kOnlyAdaptive) : is_one_of(kOnlyPaper);
   return is_unused ? name + " has no effect on the method " + nameOf(method) : "";
 }
 

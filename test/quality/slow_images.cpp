@@ -8,7 +8,7 @@
 #include <ctime>
 #include <limits>
 
-#include "line_plane_segmentation/simulation/simulated_camera.h"
+#include "simulated_camera.h"
 #include "support/median.h"
 
 namespace line_plane_segmentation {

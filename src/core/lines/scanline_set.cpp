@@ -24,13 +24,13 @@ int validInColumn(const DepthImage& depth, int u) {
 
 // Places scanlines; each may move by a pixel to where at least twice as many pixels are valid.
 template <typename CountValid>
-void place(int length, int spacing, CountValid&& countValid, std::vector<int>& pixels) {
+void place(int length, int spacing, CountValid&& count_valid, std::vector<int>& pixels) {
   pixels.clear();
   for (int at = spacing / 2; at < length; at += spacing) {
-    int best = at, most = 2 * countValid(at);
+    int best = at, most = 2 * count_valid(at);
     for (const int other : {at - 1, at + 1}) {
       if (spacing < 3 || other < 0 || other >= length) continue;
-      const int valid = countValid(other);
+      const int valid = count_valid(other);
       if (valid > most) best = other, most = valid;
     }
     pixels.push_back(best);

@@ -271,11 +271,11 @@ bool BorderSimplifier::sweepsOver(const Corner* corners, const Piece& piece, Cor
   const int left = inset.x() > 0.0 ? corner.x - 1 : corner.x,
             above = inset.y() > 0.0 ? corner.y - 1 : corner.y;
   // Crossings of the ray to the right.
-  const auto isBelow = [above](Corner c) { return c.y > above; };
-  bool enclosed = isBelow(from) != isBelow(to) && (side > 0) == (along.y > 0);
-  bool was_below = isBelow(from);
+  const auto lies_below = [above](Corner c) { return c.y > above; };
+  bool enclosed = lies_below(from) != lies_below(to) && (side > 0) == (along.y > 0);
+  bool was_below = lies_below(from);
   for (std::size_t i = piece.first; i < piece.last; ++i) {
-    const bool is_below = isBelow(corners[i + 1]);
+    const bool is_below = lies_below(corners[i + 1]);
     enclosed ^= (was_below != is_below) & (corners[i].x > left);
     was_below = is_below;
   }

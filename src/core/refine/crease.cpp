@@ -26,7 +26,7 @@ void Creases::find(const ViewRays& rays, const CandidateGrid& grid, const std::v
   votes_.clear();
   if (count_ < 2 || count_ > kMaxClusters) return;
   votes_.assign(count_ * count_, 0);
-  const auto isNearer = [&](int cell, int cluster, int other) {
+  const auto is_nearer = [&](int cell, int cluster, int other) {
     const CrossingCandidate& candidate = grid.candidateAt(cell);
     const double x = static_cast<double>(rays.x[candidate.u]);
     const double y = static_cast<double>(rays.y[candidate.v]);
@@ -37,8 +37,8 @@ void Creases::find(const ViewRays& rays, const CandidateGrid& grid, const std::v
     const int cluster = cluster_at[cell];
     const int other = cluster_at[neighbor];
     if (cluster == other || cluster < 0 || other < 0) return;
-    vote(cluster, other, isNearer(cell, cluster, other) ? 1 : -1);
-    vote(cluster, other, isNearer(neighbor, other, cluster) ? 1 : -1);
+    vote(cluster, other, is_nearer(cell, cluster, other) ? 1 : -1);
+    vote(cluster, other, is_nearer(neighbor, other, cluster) ? 1 : -1);
   };
   for (int r = 0; r < grid.rows; ++r) {
     for (int c = 0; c < grid.columns; ++c) {

@@ -30,10 +30,10 @@ struct LabelRuns {
   /// Adds a row of `width` labels, at least one.
   void addRow(const std::uint16_t* labels, int width);
 
-  /// Joins A x A to A in the last row where x has a depth, is at most `max_pixels` wide, and `isLike(before,
+  /// Joins A x A to A in the last row where x has a depth, is at most `max_pixels` wide, and `is_like(before,
   /// x, after)` holds: noise, which would otherwise make most of the runs.
   template <typename Predicate>
-  void joinOverSpeckles(int max_pixels, Predicate&& isLike);
+  void joinOverSpeckles(int max_pixels, Predicate&& is_like);
 
   /// All rows of a label image at once.
   void scan(const std::vector<std::uint16_t>& labels, int width, int height);
@@ -54,7 +54,7 @@ struct LabelRuns {
 };
 
 template <typename Predicate>
-void LabelRuns::joinOverSpeckles(int max_pixels, Predicate&& isLike) {
+void LabelRuns::joinOverSpeckles(int max_pixels, Predicate&& is_like) {
   const std::size_t begin = row_begin[row_begin.size() - 2];
   std::size_t kept = begin;
   for (std::size_t i = begin; i < runs.size(); ++i) {
@@ -66,7 +66,7 @@ void LabelRuns::joinOverSpeckles(int max_pixels, Predicate&& isLike) {
     // In one condition, which seldom holds: one by one, they are hard to predict.
     const bool is_speckle = (before.label == after.label) & (before.label != kNoDepthLabel) &
                             (speckle.label != kNoDepthLabel) & (speckle.pixels() <= max_pixels);
-    if (!is_speckle || !isLike(before, speckle, after)) continue;
+    if (!is_speckle || !is_like(before, speckle, after)) continue;
     before.last = after.last;
     kept -= 2;
   }

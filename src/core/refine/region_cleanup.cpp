@@ -37,12 +37,12 @@ int countTouching(const float* z, const float* other, int count, const DepthTole
 
 // The root of a run's component. Most runs are a root or the child of one, for which the loop ends at once.
 int RegionCleaner::find(int run) {
-  const auto parentOf = [this](int r) -> int& { return component_of_run_[r]; };
-  int parent = parentOf(run);
-  while (parentOf(parent) != parent) {
-    parentOf(run) = parentOf(parent);
-    run = parentOf(parent);
-    parent = parentOf(run);
+  const auto parent_of = [this](int r) -> int& { return component_of_run_[r]; };
+  int parent = parent_of(run);
+  while (parent_of(parent) != parent) {
+    parent_of(run) = parent_of(parent);
+    run = parent_of(parent);
+    parent = parent_of(run);
   }
   return parent;
 }
@@ -103,19 +103,19 @@ void RegionCleaner::measureComponents(int min_region_pixels, const LabelRuns& im
 
 // Keeps the borders between small and large components, and adds those within rows.
 void RegionCleaner::listBordersOfSmall(const LabelRuns& image) {
-  const auto isOfSmall = [this](int i, int j) {
+  const auto is_of_small = [this](int i, int j) {
     return (componentOf(i).size | componentOf(j).size) == (kSmall | kLarge);
   };
   std::size_t kept = 0;
   for (std::size_t k = 0; k < border_count_; ++k) {
     const Border border = borders_[k];
     borders_[kept] = border;
-    kept += isOfSmall(border.first, border.second) ? 1U : 0U;
+    kept += is_of_small(border.first, border.second) ? 1U : 0U;
   }
   border_count_ = kept;
   for (int i = 1; i < static_cast<int>(image.runs.size()); ++i) {
     const std::size_t at = static_cast<std::size_t>(i);
-    addBorderIf((image.runs[at - 1].row == image.runs[at].row) & isOfSmall(i - 1, i), {i - 1, i});
+    addBorderIf((image.runs[at - 1].row == image.runs[at].row) & is_of_small(i - 1, i), {i - 1, i});
   }
 }
 

@@ -48,11 +48,11 @@ void passIdsOn(std::size_t first_seen, std::vector<PlaneTrack>& tracks) {
   const auto seen = tracks.begin() + static_cast<std::ptrdiff_t>(first_seen);
   for (auto part = seen; part != tracks.end(); ++part) {
     const std::uint32_t surface = part->surface;
-    const auto isPart = [surface](const PlaneTrack& track) { return track.surface == surface; };
-    if (std::find_if(seen, part, isPart) != part) continue;  // this surface was dealt with
+    const auto is_part = [surface](const PlaneTrack& track) { return track.surface == surface; };
+    if (std::find_if(seen, part, is_part) != part) continue;  // this surface was dealt with
     auto largest = part;
     for (auto other = part; other != tracks.end(); ++other) {
-      if (isPart(*other) && other->pixels > largest->pixels) largest = other;
+      if (is_part(*other) && other->pixels > largest->pixels) largest = other;
     }
     const auto holder = std::find_if(tracks.begin(), tracks.end(),
                                      [surface](const PlaneTrack& track) { return track.id == surface; });

@@ -51,7 +51,7 @@ void search(SlowImages& images, double seconds, std::vector<Tried>& slowest) {
 int run(const std::string& preset, double seconds) {
   Parameters parameters;
   if (!loadPreset(preset, parameters)) {
-    std::cerr << "find_slow_images: there is no preset " << preset << '\n';
+    std::cerr << "find_slow_test_images: there is no preset " << preset << '\n';
     return 1;
   }
   SlowImages images(parameters);
@@ -72,7 +72,7 @@ int run(const std::string& preset, double seconds) {
 
 int main(int argc, char** argv) {
   if (argc != 3) {
-    std::cerr << "Usage: find_slow_images PRESET SECONDS\n";
+    std::cerr << "Usage: find_slow_test_images PRESET SECONDS\n";
     return 1;
   }
   return line_plane_segmentation::run(argv[1], std::atof(argv[2]));
