@@ -54,7 +54,7 @@ TEST_P(BoundedWork, NoImageTakesManyTimesAsLongAsARoom) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Presets, BoundedWork,
-                         testing::Values(Case{"kinect", 5.0}, Case{"paper", 4.0}, Case{"short_range", 7.0}),
+                         testing::Values(Case{"kinect", 5.0}, Case{"paper", 4.0}, Case{"short_range", 9.0}),
                          [](const auto& preset) { return std::string(preset.param.preset); });
 
 }  // namespace
