@@ -2,11 +2,9 @@
 // Nothing is allocated in a warm frame, and never much: every call of malloc and its like in this program is
 // counted, whoever makes it.
 #include <gtest/gtest.h>
-#include <malloc.h>
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -14,97 +12,14 @@
 #include <memory>
 #include <vector>
 
+#include "core/allocation_counter.h"
 #include "line_plane_segmentation/plane_segmenter.h"
 #include "line_plane_segmentation/plane_tracker.h"
 #include "support/random.h"
 #include "support/synthetic_depth.h"
 
-namespace {
-
-std::atomic<long> allocations{0};
-std::atomic<long> live_bytes{0};  // allocated and not freed, with what malloc rounds up
-std::atomic<long> peak_bytes{0};  // the most that they were
-
-void countLive(std::size_t bytes) {
-  live_bytes += static_cast<long>(bytes);
-  if (live_bytes > peak_bytes) peak_bytes = live_bytes.load();
-}
-
-}  // namespace
-
-#ifdef __SANITIZE_ADDRESS__
-// The sanitizer has an allocator of its own, which tells of every call. GCC has no header for that.
-extern "C" {
-
-std::size_t __sanitizer_get_allocated_size(const volatile void* memory);
-int __sanitizer_install_malloc_and_free_hooks(void (*allocated)(const volatile void*, std::size_t),
-                                              void (*released)(const volatile void*));
-
-}  // extern "C"
-
-namespace {
-
-void countAllocation(const volatile void*, std::size_t size) {
-  ++allocations;
-  countLive(size);
-}
-void countRelease(const volatile void* memory) {
-  live_bytes -= static_cast<long>(__sanitizer_get_allocated_size(memory));
-}
-const int kInstalled = __sanitizer_install_malloc_and_free_hooks(countAllocation, countRelease);
-
-}  // namespace
-#else
-namespace {
-
-void* counted(void* memory) {
-  ++allocations;
-  countLive(malloc_usable_size(memory));
-  return memory;
-}
-
-void countRelease(void* memory) { live_bytes -= static_cast<long>(malloc_usable_size(memory)); }
-
-}  // namespace
-
-// These go before those of the C library, also for the shared libraries; operator new ends here, too.
-extern "C" {
-
-void* __libc_malloc(std::size_t size);
-void* __libc_calloc(std::size_t count, std::size_t size);
-void* __libc_realloc(void* memory, std::size_t size);
-void* __libc_memalign(std::size_t alignment, std::size_t size);
-void __libc_free(void* memory);
-
-void* malloc(std::size_t size) { return counted(__libc_malloc(size)); }
-void* calloc(std::size_t count, std::size_t size) { return counted(__libc_calloc(count, size)); }
-void* realloc(void* memory, std::size_t size) {
-  countRelease(memory);
-  return counted(__libc_realloc(memory, size));
-}
-void* memalign(std::size_t alignment, std::size_t size) { return counted(__libc_memalign(alignment, size)); }
-void free(void* memory) {
-  countRelease(memory);
-  __libc_free(memory);
-}
-void* aligned_alloc(std::size_t alignment, std::size_t size) { return memalign(alignment, size); }
-int posix_memalign(void** memory, std::size_t alignment, std::size_t size) {
-  *memory = memalign(alignment, size);
-  return *memory == nullptr ? 12 : 0;  // ENOMEM
-}
-
-}  // extern "C"
-#endif
-
 namespace line_plane_segmentation {
 namespace {
-
-template <typename Function>
-long allocationsOf(Function&& function) {
-  const long before = allocations;
-  function();
-  return allocations - before;
-}
 
 TEST(AllocationCounter, CountsEachWayToAllocate) {
   EXPECT_EQ(allocationsOf([] {}), 0);
@@ -112,7 +27,7 @@ TEST(AllocationCounter, CountsEachWayToAllocate) {
   EXPECT_EQ(allocationsOf([&] { by_new = std::make_unique<int>(3); }), 1);
   std::vector<int> vector;
   EXPECT_EQ(allocationsOf([&] { vector.resize(1000); }), 1);
-  void* memory = nullptr;
+  void* volatile memory = nullptr;  // or the compiler leaves out what nobody reads
   EXPECT_EQ(allocationsOf([&] { memory = std::malloc(100); }), 1);
   EXPECT_EQ(allocationsOf([&] { memory = std::realloc(memory, 100000); }), 1);
   std::free(memory);
@@ -120,15 +35,6 @@ TEST(AllocationCounter, CountsEachWayToAllocate) {
   std::free(memory);
   EXPECT_EQ(allocationsOf([&] { memory = std::aligned_alloc(64, 640); }), 1);
   std::free(memory);
-}
-
-/// The most memory [bytes] that is in use beyond what is now, while the function runs.
-template <typename Function>
-long peakOf(Function&& function) {
-  const long before = live_bytes;
-  peak_bytes = before;
-  function();
-  return peak_bytes - before;
 }
 
 TEST(AllocationCounter, KnowsThePeak) {
