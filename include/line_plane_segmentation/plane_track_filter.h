@@ -16,16 +16,16 @@ struct FusionParameters {
   /// [m] Standard deviation of the camera's position in one image. Increase to smooth more;
   /// decrease to follow changes faster.
   double fusion_pose_distance = 0.01;
-  /// [s] Standard deviation of the images' timestamps against those of the camera's pose: while the camera
-  /// moves, its pose is off by what it moves in that time. Increase to rely less on images of a moving
-  /// camera; decrease to rely more on them.
-  double fusion_timestamp_error = 0.033;
   /// [deg/sqrt(s)] Process noise of a normal, caused by drift of the camera's pose. Increase to
   /// follow changes faster; decrease to smooth more.
   double fusion_drift_angle = 0.1;
   /// [m/sqrt(s)] Process noise of a plane's offset, caused by drift of the camera's pose. Increase
   /// to follow changes faster; decrease to smooth more.
   double fusion_drift_distance = 0.003;
+  /// [s] Standard deviation of the images' timestamps against those of the camera's pose: while the camera
+  /// moves, its pose is off by what it moves in that time. Increase to rely less on images of a moving
+  /// camera; decrease to rely more on them.
+  double fusion_timestamp_error = 0.033;
 };
 
 /// Calls `visitor(name, value, min, max)` for each parameter, as visitParameters() does for the method's.

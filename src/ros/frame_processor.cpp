@@ -109,10 +109,15 @@ void FrameProcessor::refuse(Refusal refusal, const std::string& explanation) {
   if (refusal != Refusal::kTf) warnings_.warnAboutRefusal(refusal, explanation);
 }
 
+const Validation& FrameProcessor::accept(const InputFrame& frame) {
+  const ProcessingTime::Frame frame_time(processing_time_);
+  return segmenter_.accept(frame);
+}
+
 void FrameProcessor::process(const InputFrame& frame) {
   if (!outputs_.subscribed()) return;
   applyParameters();
-  const Validation& input = segmenter_.accept(frame);
+  const Validation& input = accept(frame);
   if (!input.accepted()) {
     refuse(input.refusal, segmenter_.explanation(frame));
     return;

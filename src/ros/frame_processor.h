@@ -46,6 +46,7 @@ class FrameProcessor {
 
  private:
   void process(const InputFrame& frame);
+  const Validation& accept(const InputFrame& frame);
   void applyParameters();
   CameraPoses lookUpPoses(const InputFrame& frame);
   bool mayBecomeAvailable(const CameraPoses& poses);

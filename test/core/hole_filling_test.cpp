@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include "line_plane_segmentation/plane_segmenter.h"
 #include "support/random.h"
@@ -73,6 +74,52 @@ TEST(HoleFiller, DoesNotFillAcrossAStep) {
   HoleFiller filler;
   ASSERT_TRUE(filler.fill(adaptiveParameters(kWidth), depth));
   EXPECT_EQ(depth.at(160, 100), 0.0F);
+}
+
+/// Fills the holes of one row or column, pixel by pixel.
+void fillPlainly(const Parameters& parameters, int count, const std::function<float&(int)>& at) {
+  const int max_hole = parameters.scanlines.scanline_spacing * 3 / 2;
+  int last_valid = -1;
+  for (int i = 0; i < count; ++i) {
+    if (!(at(i) > 0.0F)) continue;
+    const int hole = i - last_valid - 1;
+    if (last_valid >= 0 && hole > 0 && hole <= max_hole) {
+      const double from = 1.0 / static_cast<double>(at(last_valid)), z = static_cast<double>(at(i));
+      const double tolerance =
+          2.0 * parameters.extraction.distance_noise_factor * parameters.noise.sigma(z) / (z * z);
+      for (int k = 1; k <= hole && std::fabs(1.0 / z - from) < tolerance; ++k)
+        at(last_valid + k) = static_cast<float>(1.0 / (from + (1.0 / z - from) * k / (hole + 1)));
+    }
+    last_valid = i;
+  }
+}
+
+// Rows before columns; holes at borders stay.
+TEST(HoleFiller, FillsWhatAPlainLoopFills) {
+  const Parameters parameters = adaptiveParameters(kWidth);
+  int perforated = 0;
+  for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+    Random random(seed);
+    const int width = random.integer(60, 130), height = random.integer(60, 90);
+    DepthImage depth = randomScene(seed, width, height);
+    addHoles(random.uniform(0.05, 0.8), 3, random, depth);
+    DepthImage expected = depth;
+    for (int v = 0; v < height; ++v)
+      fillPlainly(parameters, width, [&](int u) -> float& { return expected.row(v)[u]; });
+    for (int u = 0; u < width; ++u)
+      fillPlainly(parameters, height, [&](int v) -> float& { return expected.row(v)[u]; });
+    const DepthImage before = depth;
+    HoleFiller filler;
+    if (!filler.fill(parameters, depth)) continue;
+    ++perforated;
+    for (std::size_t i = 0; i < depth.z.size(); ++i) {
+      ASSERT_NEAR(depth.z[i], expected.z[i], 1e-5) << seed;
+      ASSERT_EQ(filler.filled()[i] != 0, depth.z[i] != before.z[i]) << seed;
+    }
+    filler.removeFilled(depth);
+    ASSERT_EQ(depth.z, before.z) << seed;
+  }
+  EXPECT_GT(perforated, 20);
 }
 
 TEST(HoleFiller, OfNothingIsNotPerforated) {

@@ -10,6 +10,7 @@
 
 #include "core/allocation_counter.h"
 #include "line_plane_segmentation/plane_segmenter.h"
+#include "support/random.h"
 #include "support/synthetic_depth.h"
 
 namespace line_plane_segmentation {
@@ -37,6 +38,20 @@ std::vector<std::uint16_t> pyramids(int width, int height) {
   return pixels;
 }
 
+/// Depth at random, where no pixel touches another, round a plane.
+std::vector<std::uint16_t> noiseRoundAPlane(int width, int height) {
+  Random random(3);
+  std::vector<std::uint16_t> pixels;
+  for (int v = 0; v < height; ++v) {
+    for (int u = 0; u < width; ++u) {
+      const bool is_plane = 4 * std::abs(u - width / 2) < width && 4 * std::abs(v - height / 2) < height;
+      pixels.push_back(is_plane ? std::uint16_t{1500}
+                                : static_cast<std::uint16_t>(random.integer(500, 6000)));
+    }
+  }
+  return pixels;
+}
+
 struct MemoryBound {
   const char* preset;
   double bytes_per_pixel;
@@ -51,7 +66,8 @@ TEST_P(AnyImage, NeedsSoManyBytesAPixel) {
   for (const int width : {320, 640, 1280}) {
     const int height = width * 3 / 4;
     for (const std::vector<std::uint16_t>& pixels :
-         {halfEmpty(false, width, height), halfEmpty(true, width, height), pyramids(width, height)}) {
+         {halfEmpty(false, width, height), halfEmpty(true, width, height), pyramids(width, height),
+          noiseRoundAPlane(width, height)}) {
       std::unique_ptr<PlaneSegmenter> segmenter;
       const long peak = peakOf([&] {
         segmenter = std::make_unique<PlaneSegmenter>(parameters);

@@ -93,6 +93,7 @@ void compare(simulation::SimulatedCamera& camera, int start, const Setting& sett
   PlaneTracker tracker;
   std::map<std::uint32_t, Track> tracks;
   std::optional<Eigen::Isometry3d> last_pose;
+  CameraVelocity velocity;
   for (int image = 0; image < kImages; ++image) {
     const double seconds = 7.0 * start + image / setting.rate;
     const auto frame = static_cast<std::uint64_t>(1000 * start + image);
@@ -103,16 +104,17 @@ void compare(simulation::SimulatedCamera& camera, int start, const Setting& sett
         segmenter.segment(viewOf(depth.data(), setting.width, height), camera.intrinsics());
     const std::vector<std::uint32_t>& ids =
         tracker.track(segmentation, camera.intrinsics(), seconds, last_pose ? &motion : nullptr);
+    if (last_pose) velocity = CameraVelocity::between(*last_pose, pose, 1.0 / setting.rate);
     last_pose = pose;
     const auto truth = truthOf(segmentation, rendering.labels);
     for (std::size_t k = 0; k < ids.size(); ++k) {
       const SegmentedPlane& plane = segmentation.planes[k];
-      const auto [track, is_new] =
-          tracks.try_emplace(ids[k], Track{PlaneTrackFilter(plane, pose, setting.parameters), truth[k]});
+      const auto [track, is_new] = tracks.try_emplace(
+          ids[k], Track{PlaneTrackFilter(plane, pose, setting.parameters, velocity), truth[k]});
       PlaneTrackFilter& filter = track->second.filter;
       if (!is_new) {
         filter.predict(1.0 / setting.rate, setting.parameters);
-        filter.update(plane, pose, setting.parameters);
+        filter.update(plane, pose, setting.parameters, velocity);
         if (truth[k] != track->second.truth) track->second.truth.reset();
       }
       if (image != kImages - 1 || filter.observations() != kImages || !track->second.truth) continue;
@@ -140,7 +142,7 @@ Comparison compareInRooms(const Setting& setting) {
 
 FusionParameters exactPose() {
   FusionParameters parameters;
-  parameters.fusion_pose_angle = parameters.fusion_pose_distance = 0.0;
+  parameters.fusion_pose_angle = parameters.fusion_pose_distance = parameters.fusion_timestamp_error = 0.0;
   parameters.fusion_drift_angle = parameters.fusion_drift_distance = 0.0;
   return parameters;
 }

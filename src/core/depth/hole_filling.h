@@ -24,7 +24,7 @@ class HoleFiller {
   /// 1 for each pixel that the last fill() filled, else 0; valid if it returned true.
   const std::vector<std::uint8_t>& filled() const { return filled_; }
 
-  /// Takes back what the last fill() filled, which returned true.
+  /// Sets the pixels that the last fill() filled to 0. Only after it returned true.
   void removeFilled(DepthImage& depth) const;
 
  private:
@@ -36,7 +36,7 @@ class HoleFiller {
   double noise_factor_ = 0.0;
   std::vector<std::uint8_t> filled_;
 
-  // Of one row:
+  // Buffers for one row:
   std::vector<std::uint8_t> marks_;
   std::vector<int> columns_;
   std::vector<int> last_valid_;  // row of the last valid pixel in each column

@@ -16,6 +16,8 @@ constexpr int kMaxGreedyDepth = 32;
 constexpr std::size_t kMaxDepth = 72;
 /// A piece among more corners of others than this counts as not free, which bounds the work.
 constexpr int kMaxOthers = 16;
+/// Corner visits allowed in small images, as in a VGA image: the length of borders grows less than the area.
+constexpr std::int64_t kLeastWork = 640 * 480;
 /// By so much [px] of x and of y other points keep away from a chord, each being drawn in at most.
 constexpr double kClearance = 2.4 * BorderSimplifier::kInset;
 
@@ -115,7 +117,7 @@ void BorderSimplifier::reset(const std::uint16_t* labels, int width, int height)
   height_ = height;
   words_per_row_ = static_cast<std::size_t>(width) / 64 + 1;
   const std::size_t words = words_per_row_ * (static_cast<std::size_t>(height) + 1);
-  work_left_ = std::int64_t{width} * height;
+  work_left_ = std::max(kLeastWork, std::int64_t{width} * height);
   once_.assign(words, 0);
   twice_.assign(words, 0);
 }

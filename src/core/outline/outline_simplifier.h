@@ -33,8 +33,8 @@ class BorderSimplifier {
   /// Appends the points that remain of an announced border [px, corner (0, 0) of the image at (-0.5, -0.5)]:
   /// at least three, of the same orientation. All of the border lies within `tolerance` [px] of them, kInset
   /// aside. Takes O(n log n) for n corners plus the length of the border. Once all borders of the image have
-  /// taken as many steps as it has pixels, which only borders that wind closely do, the rest keep all of
-  /// their corners.
+  /// visited as many corners as it has pixels, and at least 640 * 480, which only borders that wind closely
+  /// do, the rest keep all of their corners.
   void simplify(const Corner* corners, std::size_t count, double tolerance,
                 std::vector<Eigen::Vector2d>& points);
 
@@ -65,7 +65,7 @@ class BorderSimplifier {
   const std::uint16_t* labels_ = nullptr;
   int width_ = 0, height_ = 0;
   std::size_t words_per_row_ = 0;
-  std::int64_t work_left_ = 0;  // [corners to look at] then borders keep all of their corners
+  std::int64_t work_left_ = 0;  // [corner visits] of this image; at 0 borders keep all corners
   // One bit for each corner of the image: passed by what the borders are at the moment, and passed twice.
   std::vector<std::uint64_t> once_, twice_;
 };

@@ -53,7 +53,7 @@ void CoplanarMerger::listPairs(const MergeTree& tree, const std::vector<int>& pl
   });
 }
 
-// The pixel of those, of a plane's candidates, that is nearest to another one.
+// Returns the pixel that is nearest to another one. There is at least one.
 CoplanarMerger::Pixel CoplanarMerger::nearest(const std::vector<Pixel>& pixels, Pixel to) {
   Pixel nearest = pixels.front();
   std::int64_t least = std::numeric_limits<std::int64_t>::max();

@@ -42,9 +42,9 @@ class CoplanarMerger {
 
   std::vector<Pair> pairs_;
   std::vector<int> compared_;               // the planes compared, as they become
-  std::vector<std::vector<Pixel>> pixels_;  // of the candidates of each plane compared
+  std::vector<std::vector<Pixel>> pixels_;  // pixels of the candidates per plane compared
   std::vector<int> merged_into_;            // index in `planes` per plane, itself at first
-  std::vector<std::uint8_t> rejected_;      // pairs of planes that cannot be merged, as they are
+  std::vector<std::uint8_t> rejected_;      // 1 per pair whose merge was rejected, until the first grows
 };
 
 }  // namespace line_plane_segmentation

@@ -39,8 +39,8 @@ struct PlaneExtractor::Scratch {
   std::vector<std::uint64_t> boundaries;  // of one row: a byte for each pixel and one more
   TileGrid tiles;
   RunComponents components;
-  std::vector<int> linked_component;  // of each candidate: its component of linked pixels
-  std::vector<int> linked_pixels;     // of it, not yet taken
+  std::vector<int> linked_component;  // component per candidate, -1 if its pixel is invalid
+  std::vector<int> linked_pixels;     // of that component, those that no plane has taken
   std::vector<Entry> queue;
 
   void start(const DepthImage& depth, const ViewRays& rays, const std::vector<PlaneCandidate>& candidates,
@@ -119,7 +119,8 @@ struct PlaneExtractor::Scratch {
     }
   }
 
-  // A plane's pixels are linked, so that the linked pixels around its candidate bound their number.
+  // The pixels of a plane are connected by links, so the size of its candidate's component of linked pixels
+  // is an upper bound of their number.
   void countLinked(const std::vector<PlaneCandidate>& candidates) {
     components.clear();
     for (int v = 0; v < remaining.height; ++v) {
