@@ -96,9 +96,8 @@ void defineProperties(py::class_<PythonPlane>& plane) {
           "float [m]: root mean square orthogonal distance of its points")
       .def_property_readonly(
           "area", [](const PythonPlane& p) { return p.plane.area; },
-          "float [m^2]: area of the visible surface, without holes but with small gaps in the depth, which "
-          "the "
-          "outlines go round")
+          "float [m^2]: area of the visible surface, without holes but with small gaps in the depth, "
+          "which the outlines go round")
       .def_readonly(
           "outlines", &PythonPlane::outer_rings,
           "list of float32 arrays (n, 3) [m]: the borders of its parts, the largest first, counterclockwise "

@@ -58,16 +58,16 @@ CameraSubscription::CameraSubscription(const std::string& name, const ros::NodeH
       handler_(std::move(handler)),
       infos_(kInfoSpan, kInfoQueue * static_cast<unsigned>(kInfoSpan.count())),
       matcher_(parameters.info_matching, queue_size_) {
-  input_topics.image = nh.resolveName("depth/image_rect");
-  input_topics.info = infoTopicFor(nh, input_topics.image);
-  needs_rectification_ = needsRectification(parameters.rectify, input_topics.image);
+  topics_.image = nh.resolveName("depth/image_rect");
+  topics_.info = infoTopicFor(nh, topics_.image);
+  needs_rectification_ = needsRectification(parameters.rectify, topics_.image);
 }
 
 void CameraSubscription::subscribe() {
   if (subscribed()) return;
-  input_times.subscribed = std::chrono::steady_clock::now();
+  times_.subscribed = std::chrono::steady_clock::now();
   unmatched_since_ = {};
-  info_subscriber_ = nh_.subscribe(input_topics.info, kInfoQueue, &CameraSubscription::onInfo, this,
+  info_subscriber_ = nh_.subscribe(topics_.info, kInfoQueue, &CameraSubscription::onInfo, this,
                                    ros::TransportHints().tcpNoDelay());
   subscribeImages();
   timer_ = nh_.createWallTimer(ros::WallDuration(0.25), [this](const ros::WallTimerEvent&) {
@@ -79,14 +79,14 @@ void CameraSubscription::subscribeImages() {
   const ros::TransportHints no_delay = ros::TransportHints().tcpNoDelay();
   const image_transport::TransportHints hints("raw", no_delay, private_nh_);
   if (hints.getTransport() == kCompressedDepth && !hasPlugin(transport_, kCompressedDepth)) {
-    compressed_subscriber_ = nh_.subscribe(input_topics.image + "/" + kCompressedDepth, queue_size_,
+    compressed_subscriber_ = nh_.subscribe(topics_.image + "/" + kCompressedDepth, queue_size_,
                                            &CameraSubscription::onCompressed, this, no_delay);
     return;
   }
   const auto on_image = [this](const sensor_msgs::ImageConstPtr& image) {
-    logExceptions(input_topics.image, [&] { onImage({image}); });
+    logExceptions(topics_.image, [&] { onImage({image}); });
   };
-  image_subscriber_ = transport_.subscribe(input_topics.image, queue_size_, on_image, ros::VoidPtr(), hints);
+  image_subscriber_ = transport_.subscribe(topics_.image, queue_size_, on_image, ros::VoidPtr(), hints);
 }
 
 void CameraSubscription::unsubscribe() {
@@ -96,34 +96,33 @@ void CameraSubscription::unsubscribe() {
   info_subscriber_.shutdown();
   matcher_.clear();
   infos_.clearStamps();
-  input_times = InputTimes{};
+  times_ = InputTimes{};
 }
 
 void CameraSubscription::onCompressed(const sensor_msgs::CompressedImageConstPtr& compressed) {
-  logExceptions(input_topics.image, [&] {
+  logExceptions(topics_.image, [&] {
     const sensor_msgs::ImageConstPtr image = describeCompressedDepth(*compressed);
     if (image) {
       onImage({image, compressed});
     } else {
       ROS_WARN_THROTTLE(5.0, "[%s] %s/%s does not hold compressed depth images: its format is '%.64s'",
-                        name_.c_str(), input_topics.image.c_str(), kCompressedDepth,
-                        compressed->format.c_str());
+                        name_.c_str(), topics_.image.c_str(), kCompressedDepth, compressed->format.c_str());
     }
   });
 }
 
 void CameraSubscription::onImage(const DepthMessage& image) {
-  input_times.image = std::chrono::steady_clock::now();
-  if (unmatched_since_ == InputTimes::TimePoint{}) unmatched_since_ = input_times.image;
+  times_.image = std::chrono::steady_clock::now();
+  if (unmatched_since_ == InputTimes::TimePoint{}) unmatched_since_ = times_.image;
   InfoMatcher::Frames frames;
-  matcher_.addImage(image, infos_, input_times.image, frames);
+  matcher_.addImage(image, infos_, times_.image, frames);
   deliver(frames);
 }
 
 void CameraSubscription::onInfo(const sensor_msgs::CameraInfoConstPtr& info) {
-  logExceptions(input_topics.info, [&] {
-    input_times.info = std::chrono::steady_clock::now();
-    infos_.add(info, input_times.info);
+  logExceptions(topics_.info, [&] {
+    times_.info = std::chrono::steady_clock::now();
+    infos_.add(info, times_.info);
     InfoMatcher::Frames frames;
     matcher_.addInfo(info->header.stamp, infos_, frames);
     deliver(frames);
@@ -139,16 +138,16 @@ void CameraSubscription::onTimer() {
 }
 
 void CameraSubscription::deliver(InfoMatcher::Frames& frames) {
-  input_times.has_fallen_back = matcher_.hasFallenBack();
-  if (input_times.has_fallen_back && !std::exchange(warned_of_fallback_, true)) {
+  times_.has_fallen_back = matcher_.hasFallenBack();
+  if (times_.has_fallen_back && !std::exchange(warned_of_fallback_, true)) {
     ROS_WARN(
         "[%s] no camera_info on %s has the stamp of an image on %s: from now on each image goes with the "
         "newest "
         "one of its frame and size. ~info_matching: exact forbids that, latest does it without this warning",
-        name_.c_str(), input_topics.info.c_str(), input_topics.image.c_str());
+        name_.c_str(), topics_.info.c_str(), topics_.image.c_str());
   }
   if (frames.empty()) return;
-  input_times.frame = std::chrono::steady_clock::now();
+  times_.frame = std::chrono::steady_clock::now();
   unmatched_since_ = {};
   warned_of_missing_info_ = false;
   for (InputFrame& frame : frames) {
@@ -161,11 +160,11 @@ void CameraSubscription::warnAboutMissingInfo(InputTimes::TimePoint now) {
   constexpr std::chrono::seconds kPatience(3);
   if (unmatched_since_ == InputTimes::TimePoint{} || now - unmatched_since_ < kPatience) return;
   if (std::exchange(warned_of_missing_info_, true)) return;
-  const bool has_infos = now - input_times.info < kPatience;
+  const bool has_infos = now - times_.info < kPatience;
   ROS_WARN("[%s] images come on %s, but %s on %s%s: remap depth/camera_info to the right topic%s",
-           name_.c_str(), input_topics.image.c_str(),
-           has_infos ? "no camera_info that fits them" : "no camera_info", input_topics.info.c_str(),
-           otherInfoTopics(input_topics.info).c_str(), has_infos ? ", or set ~info_matching to latest" : "");
+           name_.c_str(), topics_.image.c_str(),
+           has_infos ? "no camera_info that fits them" : "no camera_info", topics_.info.c_str(),
+           otherInfoTopics(topics_.info).c_str(), has_infos ? ", or set ~info_matching to latest" : "");
 }
 
 }  // namespace line_plane_segmentation

@@ -40,9 +40,9 @@ class InputSource {
   virtual void subscribe() = 0;
   virtual void unsubscribe() = 0;
 
-  bool subscribed() const { return input_times.subscribed != InputTimes::TimePoint{}; }
-  const InputTopics& topics() const { return input_topics; }
-  const InputTimes& times() const { return input_times; }
+  bool subscribed() const { return times_.subscribed != InputTimes::TimePoint{}; }
+  const InputTopics& topics() const { return topics_; }
+  const InputTimes& times() const { return times_; }
 
   /// Returns the number of images that were discarded without a camera_info of their timestamp.
   virtual std::uint64_t lostImages() const { return 0; }
@@ -51,8 +51,8 @@ class InputSource {
   virtual std::uint64_t lateInfos() const { return 0; }
 
  protected:
-  InputTopics input_topics;
-  InputTimes input_times;
+  InputTopics topics_;
+  InputTimes times_;
 };
 
 }  // namespace line_plane_segmentation

@@ -50,6 +50,31 @@ class Fusion : public testing::Test {
     return filter.normal().dot(pose_ * centroid_) + filter.d();
   }
 
+  /// Expects the covariance of a filter to be that of measurements with many drawn errors of the pose.
+  /// @param draw  sets a rotation vector about the camera [rad] and a translation [m]
+  template <typename Draw>
+  void expectCovarianceOfPoses(const CameraVelocity& velocity, Draw&& draw) const {
+    const SegmentedPlane exact = measured(0.0, 0.0, 0.0);
+    const PlaneTrackFilter filter(exact, pose_, parameters_, velocity);
+    const Eigen::Vector3d point = pose_ * centroid_;
+    double of_normal = 0.0, of_offset = 0.0;
+    constexpr int kRuns = 2000;
+    for (int run = 0; run < kRuns; ++run) {
+      Eigen::Vector3d turn, shift;
+      draw(turn, shift);
+      const Eigen::Matrix3d wrong = Eigen::AngleAxisd(turn.norm(), turn.normalized()) * pose_.linear();
+      const Eigen::Vector3d normal = wrong * exact.normal;
+      of_normal += std::pow(angleOf(trueNormal(), normal), 2) / kRuns;
+      of_offset += std::pow(normal.dot(point - pose_.translation() - shift) + exact.d, 2) / kRuns;
+    }
+    const Eigen::Matrix4d covariance = filter.covariance();
+    Eigen::Vector4d at_point;
+    at_point << point, 1.0;
+    const Eigen::Matrix3d covariance_of_normal = covariance.topLeftCorner<3, 3>();
+    EXPECT_NEAR(of_normal + 2.0 * kAngle * kAngle, covariance_of_normal.trace(), 0.1 * of_normal);
+    EXPECT_NEAR(of_offset + kDistance * kDistance, at_point.dot(covariance * at_point), 0.1 * of_offset);
+  }
+
   Eigen::Isometry3d pose_ = Eigen::Isometry3d::Identity();
   Eigen::Vector3d normal_ = Eigen::Vector3d(0.3, -0.2, -1.0).normalized();
   Eigen::Vector3d centroid_{0.4, 0.1, 2.0};
@@ -123,56 +148,26 @@ TEST_F(Fusion, losesCertaintyWithTime) {
 TEST_F(Fusion, accountsForErrorsOfThePose) {
   parameters_.fusion_pose_angle = 1.0;
   parameters_.fusion_pose_distance = 0.02;
-  const SegmentedPlane exact = measured(0.0, 0.0, 0.0);
-  const PlaneTrackFilter filter(exact, pose_, parameters_);
   Random random(21);
-  const double angle = M_PI / 180.0;
-  const Eigen::Vector3d point = pose_ * centroid_;
-  double of_normal = 0.0, of_offset = 0.0;
-  constexpr int kRuns = 2000;
-  for (int run = 0; run < kRuns; ++run) {
-    const Eigen::Vector3d turn =
-        angle * Eigen::Vector3d(random.gaussian(), random.gaussian(), random.gaussian());
-    const Eigen::Vector3d shift =
-        0.02 * Eigen::Vector3d(random.gaussian(), random.gaussian(), random.gaussian());
-    const Eigen::Matrix3d wrong = Eigen::AngleAxisd(turn.norm(), turn.normalized()) * pose_.linear();
-    const Eigen::Vector3d normal = wrong * exact.normal;
-    of_normal += std::pow(angleOf(trueNormal(), normal), 2) / kRuns;
-    of_offset += std::pow(normal.dot(point - pose_.translation() - shift) + exact.d, 2) / kRuns;
-  }
-  const Eigen::Matrix4d covariance = filter.covariance();
-  Eigen::Vector4d at_point;
-  at_point << point, 1.0;
-  const Eigen::Matrix3d covariance_of_normal = covariance.topLeftCorner<3, 3>();
-  EXPECT_NEAR(of_normal + 2.0 * kAngle * kAngle, covariance_of_normal.trace(), 0.1 * of_normal);
-  EXPECT_NEAR(of_offset + kDistance * kDistance, at_point.dot(covariance * at_point), 0.1 * of_offset);
+  const auto vector = [&random] {
+    return Eigen::Vector3d(random.gaussian(), random.gaussian(), random.gaussian());
+  };
+  expectCovarianceOfPoses({}, [&](Eigen::Vector3d& turn, Eigen::Vector3d& shift) {
+    turn = M_PI / 180.0 * vector();
+    shift = 0.02 * vector();
+  });
 }
 
 // The covariance with an error of the time is that of measurements with poses of another time.
 TEST_F(Fusion, accountsForErrorsOfTimestamps) {
   parameters_.fusion_timestamp_error = 0.05;
   const CameraVelocity velocity{{0.3, -0.5, 0.4}, {0.2, -0.3, 0.6}};
-  const SegmentedPlane exact = measured(0.0, 0.0, 0.0);
-  const PlaneTrackFilter filter(exact, pose_, parameters_, velocity);
   Random random(23);
-  const Eigen::Vector3d point = pose_ * centroid_;
-  double of_normal = 0.0, of_offset = 0.0;
-  constexpr int kRuns = 2000;
-  for (int run = 0; run < kRuns; ++run) {
+  expectCovarianceOfPoses(velocity, [&](Eigen::Vector3d& turn, Eigen::Vector3d& shift) {
     const double late = 0.05 * random.gaussian();
-    const Eigen::Vector3d turn = late * velocity.angular;
-    const Eigen::Vector3d center = pose_.translation() + late * velocity.linear;
-    const Eigen::Vector3d normal =
-        Eigen::AngleAxisd(turn.norm(), turn.normalized()) * (pose_.linear() * exact.normal);
-    of_normal += std::pow(angleOf(trueNormal(), normal), 2) / kRuns;
-    of_offset += std::pow(normal.dot(point - center) + exact.d, 2) / kRuns;
-  }
-  const Eigen::Matrix4d covariance = filter.covariance();
-  Eigen::Vector4d at_point;
-  at_point << point, 1.0;
-  const Eigen::Matrix3d covariance_of_normal = covariance.topLeftCorner<3, 3>();
-  EXPECT_NEAR(of_normal + 2.0 * kAngle * kAngle, covariance_of_normal.trace(), 0.1 * of_normal);
-  EXPECT_NEAR(of_offset + kDistance * kDistance, at_point.dot(covariance * at_point), 0.1 * of_offset);
+    turn = late * velocity.angular;
+    shift = late * velocity.linear;
+  });
 }
 
 // Timestamps that are late by more than the tracker expects of a camera at rest: it turns to and fro at

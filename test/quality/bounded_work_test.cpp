@@ -51,7 +51,7 @@ TEST_P(BoundedWork, NoImageTakesManyTimesAsLongAsARoom) {
                                  Pattern{Kind::kStairs, 6, 1, 150},
                                  Pattern{Kind::kWaves, 6, 3, 177, 2},
                                  Pattern{Kind::kNoise, 2, 1, 300}}) {
-    const std::vector<std::uint16_t> depth = draw(pattern, SlowImages::kWidth, SlowImages::kHeight);
+    const std::vector<std::uint16_t> depth = SlowImages::draw(pattern);
     double times = images.secondsOf(depth, kRuns) / room;
     // Other programs may have slowed down one of the two.
     for (int i = 0; i < kRepetitions && times >= GetParam().most; ++i)

@@ -42,7 +42,7 @@ void search(SlowImages& images, double seconds, std::vector<Tried>& slowest) {
     const int last = static_cast<int>(slowest.size()) - 1;
     const Pattern pattern =
         is_new ? randomPattern(random) : changedPattern(slowest[random.integer(0, last)].pattern, random);
-    const double time = images.secondsOf(draw(pattern, SlowImages::kWidth, SlowImages::kHeight), kRuns);
+    const double time = images.secondsOf(SlowImages::draw(pattern), kRuns);
     slowest.push_back({time, pattern});
     keepSlowestOfEachKind(slowest);
   }
@@ -60,8 +60,7 @@ int run(const std::string& preset, double seconds) {
   const double room = images.secondsOfRoom(kFinalRuns);
   std::cout << std::fixed << std::setprecision(2) << preset << ": a room takes " << 1e3 * room << " ms\n";
   for (const Tried& tried : slowest) {
-    const double time =
-        images.secondsOf(draw(tried.pattern, SlowImages::kWidth, SlowImages::kHeight), kFinalRuns);
+    const double time = images.secondsOf(SlowImages::draw(tried.pattern), kFinalRuns);
     std::cout << "  " << time / room << " times: " << tried.pattern.name() << '\n';
   }
   return 0;

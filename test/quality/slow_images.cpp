@@ -134,12 +134,11 @@ Pattern changedPattern(const Pattern& pattern, Random& random) {
   return changed;
 }
 
-std::vector<std::uint16_t> draw(const Pattern& pattern, int width, int height) {
+std::vector<std::uint16_t> SlowImages::draw(const Pattern& pattern) {
   Random random(1);
   std::vector<std::uint16_t> depth;
-  depth.reserve(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
-  for (int v = 0; v < height; ++v) {
-    for (int u = 0; u < width; ++u) {
+  for (int v = 0; v < kHeight; ++v) {
+    for (int u = 0; u < kWidth; ++u) {
       const double z = kDepth + pattern.slope * u + depthAbove(pattern, u, v, random);
       depth.push_back(isHole(pattern, u, v, random) ? std::uint16_t{0} : static_cast<std::uint16_t>(z));
     }

@@ -45,15 +45,15 @@ Pattern randomPattern(Random& random);
 /// A pattern with one or two values changed.
 Pattern changedPattern(const Pattern& pattern, Random& random);
 
-/// [mm] width * height pixels, 0 = no depth
-std::vector<std::uint16_t> draw(const Pattern& pattern, int width, int height);
-
 /// A camera and a method, and how long they take.
 class SlowImages {
  public:
   static constexpr int kWidth = 640, kHeight = 480;
 
   explicit SlowImages(const Parameters& parameters) : segmenter_(parameters) {}
+
+  /// [mm] kWidth * kHeight pixels, 0 = no depth
+  static std::vector<std::uint16_t> draw(const Pattern& pattern);
 
   /// [s] of processor time, the least of several runs
   double secondsOf(const std::vector<std::uint16_t>& depth, int runs);

@@ -10,6 +10,7 @@
 #include <chrono>
 #include <condition_variable>
 #include <future>
+#include <initializer_list>
 #include <memory>
 #include <mutex>
 #include <new>
@@ -38,6 +39,19 @@ class FrameMailboxUnderControl : public testing::Test {
   FrameMailbox& mailbox() { return *mailbox_; }
 
   void push(std::uint32_t number) { mailbox_->push(frameWithNumber(number)); }
+  void pushAll(std::initializer_list<std::uint32_t> numbers) {
+    for (const std::uint32_t number : numbers) push(number);
+  }
+
+  /// Pushes a frame and expects it to be processed, until finish() is called.
+  void hold(std::uint32_t number) {
+    push(number);
+    EXPECT_EQ(number, current());
+  }
+
+  void expectProcessed(std::initializer_list<std::uint32_t> numbers) {
+    for (const std::uint32_t number : numbers) EXPECT_EQ(number, processNext());
+  }
 
   /// Waits for a frame to be processed, and returns its number; 0 if none is within 10 s.
   std::uint32_t current() {
@@ -89,18 +103,16 @@ class FrameMailboxUnderControl : public testing::Test {
 };
 
 TEST_F(FrameMailboxUnderControl, keepsOrderAndAllWhileTheyFit) {
-  push(100);
-  ASSERT_EQ(100U, current());
-  for (std::uint32_t number : {1U, 2U, 3U}) push(number);
+  hold(100);
+  pushAll({1, 2, 3});
   finish();
-  for (std::uint32_t number : {1U, 2U, 3U}) EXPECT_EQ(number, processNext());
+  expectProcessed({1, 2, 3});
   EXPECT_EQ(0U, mailbox().dropped());
 }
 
 TEST_F(FrameMailboxUnderControl, newestFirstOnceItOverflows) {
-  push(100);
-  ASSERT_EQ(100U, current());
-  for (std::uint32_t number : {1U, 2U, 3U, 4U}) push(number);
+  hold(100);
+  pushAll({1, 2, 3, 4});
   EXPECT_EQ(3U, mailbox().dropped());
   finish();
   EXPECT_EQ(4U, current());
@@ -108,9 +120,8 @@ TEST_F(FrameMailboxUnderControl, newestFirstOnceItOverflows) {
 
 // Two frames arrive while one is processed: the number of waiting frames must not grow to the capacity again.
 TEST_F(FrameMailboxUnderControl, newestFirstAsLongAsProcessingIsBehind) {
-  push(100);
-  ASSERT_EQ(100U, current());
-  for (std::uint32_t number : {1U, 2U, 3U, 4U}) push(number);
+  hold(100);
+  pushAll({1, 2, 3, 4});
   finish();
   std::uint32_t number = 4;
   for (int round = 0; round < 10; ++round) {
@@ -124,24 +135,21 @@ TEST_F(FrameMailboxUnderControl, newestFirstAsLongAsProcessingIsBehind) {
 }
 
 TEST_F(FrameMailboxUnderControl, keepsAllAgainOnceProcessingHasCaughtUp) {
-  push(100);
-  ASSERT_EQ(100U, current());
-  for (std::uint32_t number : {1U, 2U, 3U, 4U}) push(number);
+  hold(100);
+  pushAll({1, 2, 3, 4});
   finish();
   EXPECT_EQ(4U, processNext());
   std::this_thread::sleep_for(std::chrono::milliseconds(300));  // the thread waits for frames now
 
-  push(5);
-  ASSERT_EQ(5U, current());
-  for (std::uint32_t number : {6U, 7U, 8U}) push(number);
+  hold(5);
+  pushAll({6, 7, 8});
   finish();
-  for (std::uint32_t number : {6U, 7U, 8U}) EXPECT_EQ(number, processNext());
+  expectProcessed({6, 7, 8});
   EXPECT_EQ(3U, mailbox().dropped());
 }
 
 TEST_F(FrameMailboxUnderControl, forgetsWithoutCounting) {
-  push(100);
-  ASSERT_EQ(100U, current());
+  hold(100);
   push(1);
   mailbox().clear();
   push(2);
@@ -151,8 +159,7 @@ TEST_F(FrameMailboxUnderControl, forgetsWithoutCounting) {
 }
 
 TEST_F(FrameMailboxUnderControl, isNearlyFullBeforeTheNextTwoFramesOverflowIt) {
-  push(100);
-  ASSERT_EQ(100U, current());
+  hold(100);
   push(1);
   EXPECT_FALSE(mailbox().nearlyFull());
   push(2);

@@ -41,15 +41,17 @@ bool isPerforated(const DepthImage& depth, int max_hole) {
   return holes > columns * in_column;
 }
 
-// Interpolates between valid pixels. A copy of it in a local variable keeps its members in registers.
-class Interpolation {
+}  // namespace
+
+// Interpolates between valid pixels.
+class HoleFiller::Interpolation {
  public:
   Interpolation(const NoiseParameters& noise, double noise_factor, float* z, std::uint8_t* filled)
       : noise_(noise), tolerance_(2.0 * noise_factor), z_(z), filled_(filled) {}
 
   // Fills the pixels after `before` if those around them agree within the noise. In the inverse depth,
   // |1 / z0 - 1 / z1| < 2 k sigma(z1) / z1^2; multiplied out, since divisions would take most of the time.
-  void fill(std::ptrdiff_t before, std::ptrdiff_t stride, int hole) const {
+  void between(std::ptrdiff_t before, std::ptrdiff_t stride, int hole) const {
     float* const first = z_ + before;
     const double z0 = static_cast<double>(first[0]), z1 = static_cast<double>(first[stride * (hole + 1)]);
     if (!(std::fabs(z1 - z0) * z1 < tolerance_ * noise_.sigma(z1) * z0)) return;
@@ -67,50 +69,47 @@ class Interpolation {
   std::uint8_t* filled_;
 };
 
-}  // namespace
-
-void HoleFiller::fillRows(DepthImage& depth) {
-  const Interpolation interpolation(noise_, noise_factor_, depth.z.data(), filled_.data());
+void HoleFiller::fillRows(const DepthImage& depth, const Interpolation& interpolation, int max_hole) {
+  const Interpolation fill = interpolation;  // nothing else points to it, so that it stays in registers
   const std::ptrdiff_t width = depth.width;
-  const int max_hole = max_hole_;
   for (int v = 0; v < depth.height; ++v) {
     markValidityChanges(depth.row(v), depth.width, marks_.data());
     // Valid pixels begin at the first of each two columns, and end before the second.
     const int* const end = compactIndices(marks_.data(), depth.width, columns_.data());
     for (const int* change = columns_.data() + 1; change + 1 < end; change += 2) {
       const int hole = change[1] - change[0];
-      if (hole <= max_hole) interpolation.fill(v * width + change[0] - 1, 1, hole);
+      if (hole <= max_hole) fill.between(v * width + change[0] - 1, 1, hole);
     }
   }
 }
 
-void HoleFiller::fillColumns(DepthImage& depth) {
-  const Interpolation interpolation(noise_, noise_factor_, depth.z.data(), filled_.data());
+void HoleFiller::fillColumns(const DepthImage& depth, const Interpolation& interpolation, int max_hole) {
+  const Interpolation fill = interpolation;
   const std::ptrdiff_t width = depth.width;
   const int* const holes = holes_.data();
-  last_valid_.assign(holes_.size(), -1 - max_hole_ - 1);
+  last_valid_.assign(holes_.size(), -1 - max_hole - 1);
   for (int v = 0; v < depth.height; ++v) {
-    markHoleEnds(depth.row(v), depth.width, v, max_hole_, last_valid_.data(), holes_.data(), marks_.data());
+    markHoleEnds(depth.row(v), depth.width, v, max_hole, last_valid_.data(), holes_.data(), marks_.data());
     const int* const end = compactIndices(marks_.data(), depth.width, columns_.data());
     for (const int* column = columns_.data(); column < end; ++column) {
       const int hole = holes[*column];
-      interpolation.fill((v - hole - 1) * width + *column, width, hole);
+      fill.between((v - hole - 1) * width + *column, width, hole);
     }
   }
 }
 
 bool HoleFiller::fill(const Parameters& parameters, DepthImage& depth) {
-  max_hole_ = parameters.scanlines.scanline_spacing * 3 / 2;
-  noise_ = parameters.noise;
-  noise_factor_ = parameters.extraction.distance_noise_factor;
-  if (!isPerforated(depth, max_hole_)) return false;
+  const int max_hole = parameters.scanlines.scanline_spacing * 3 / 2;
+  if (!isPerforated(depth, max_hole)) return false;
   filled_.assign(depth.z.size(), 0);
   const std::size_t width = static_cast<std::size_t>(depth.width);
   marks_.assign(width + kMarkBlock, 0);
   columns_.resize(width + kSpareColumns);
   holes_.resize(width);
-  fillRows(depth);
-  fillColumns(depth);
+  const Interpolation interpolation(parameters.noise, parameters.extraction.distance_noise_factor,
+                                    depth.z.data(), filled_.data());
+  fillRows(depth, interpolation, max_hole);
+  fillColumns(depth, interpolation, max_hole);
   return true;
 }
 

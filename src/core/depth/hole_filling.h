@@ -28,12 +28,11 @@ class HoleFiller {
   void removeFilled(DepthImage& depth) const;
 
  private:
-  void fillRows(DepthImage& depth);
-  void fillColumns(DepthImage& depth);
+  class Interpolation;
 
-  int max_hole_ = 0;
-  NoiseParameters noise_;
-  double noise_factor_ = 0.0;
+  void fillRows(const DepthImage& depth, const Interpolation& interpolation, int max_hole);
+  void fillColumns(const DepthImage& depth, const Interpolation& interpolation, int max_hole);
+
   std::vector<std::uint8_t> filled_;
 
   // Buffers for one row:

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "kernels/row_kernels.h"
+#include "kernels/sparing_growth.h"
 
 namespace line_plane_segmentation {
 namespace {
@@ -45,13 +46,10 @@ void RunComponents::add(const PixelRun& run, const std::uint8_t* links_above) {
     row_begin_ = index;
     row_ = run.row;
   }
-  // Grown by a quarter and not to twice the size: clutter has a run for each pixel.
-  if (runs_.size() == runs_.capacity()) {
-    const std::size_t capacity = runs_.size() + runs_.size() / 4 + 1024;
-    runs_.reserve(capacity);
-    parent_.reserve(capacity);
-    pixels_.reserve(capacity);
-  }
+  const std::size_t needed = runs_.size() + 1;
+  reserveSparingly(needed, runs_);
+  reserveSparingly(needed, parent_);
+  reserveSparingly(needed, pixels_);
   runs_.push_back(run);
   parent_.push_back(index);
   pixels_.push_back(run.last - run.first);

@@ -5,6 +5,7 @@
 
 #include "kernels/multiversion.h"
 #include "kernels/row_kernels.h"
+#include "kernels/sparing_growth.h"
 
 namespace line_plane_segmentation {
 
@@ -36,9 +37,8 @@ void LabelRuns::addRow(const std::uint16_t* labels, int width) {
   }
   markChanges(labels, width, changes_.data());
   const int* const end = compactIndices(changes_.data(), width, columns_.data());
-  // Grown by a quarter and not to twice the size: a cluttered VGA image has 100,000 runs.
   const std::size_t needed = runs.size() + static_cast<std::size_t>(end - columns_.data()) + 1;
-  if (needed > runs.capacity()) runs.reserve(needed + runs.size() / 4);
+  reserveSparingly(needed, runs);
   LabelRun* run = runs.data() + runs.size();
   runs.resize(needed);
   int first = 0;

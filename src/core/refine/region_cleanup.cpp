@@ -6,6 +6,8 @@
 #include <cstdlib>
 #include <numeric>
 
+#include "kernels/sparing_growth.h"
+
 namespace line_plane_segmentation {
 namespace {
 
@@ -62,9 +64,8 @@ void RegionCleaner::connect(const LabelRuns& image) {
   });
 }
 
-// Grown by a quarter and not to twice the size: clutter has as many borders as runs.
 void RegionCleaner::growBorders() {
-  borders_.reserve(borders_.size() + borders_.size() / 4 + 1024);
+  reserveSparingly(borders_.size() + 1, borders_);
   borders_.resize(borders_.capacity());
 }
 

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+namespace line_plane_segmentation {
+
+/// Makes room for so many elements. Grows by a quarter and not to twice the size: clutter has as many runs
+/// and borders as pixels, and memory is bounded in bytes per pixel.
+template <typename T>
+void reserveSparingly(std::size_t needed, std::vector<T>& vector) {
+  if (needed > vector.capacity()) vector.reserve(needed + needed / 4 + 1024);
+}
+
+}  // namespace line_plane_segmentation
