@@ -74,7 +74,7 @@ TEST(LabelRuns, OfNothingAreNone) {
   runs.scan({}, 0, 0);
   EXPECT_TRUE(runs.runs.empty());
   EXPECT_EQ(runs.row_begin, std::vector<std::size_t>{0});
-  runs.join();
+  runs.join([](std::size_t, const LabelRun& run) { return run.label; });
   Labels labels;
   runs.write(labels, 0);
   forEachVerticalContact(runs, [](std::size_t, std::size_t) { FAIL(); });
@@ -88,8 +88,11 @@ TEST(LabelRuns, AreJoinedWhereLabelsHaveBecomeEqual) {
     runs.scan(image.labels, image.width, image.height);
     Labels expected = image.labels;
     std::replace(expected.begin(), expected.end(), std::uint16_t{2}, std::uint16_t{1});
-    for (LabelRun& run : runs.runs) run.label = run.label == 2 ? std::uint16_t{1} : run.label;
-    runs.join();
+    const LabelRuns before = runs;
+    runs.join([&before](std::size_t i, const LabelRun& run) {
+      EXPECT_EQ(run.label, before.runs[i].label);
+      return run.label == 2 ? std::uint16_t{1} : run.label;
+    });
     LabelRuns anew;
     anew.scan(expected, image.width, image.height);
     expectComplete(runs, image.width, image.height);

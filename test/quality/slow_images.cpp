@@ -15,7 +15,7 @@ namespace line_plane_segmentation {
 namespace {
 
 constexpr int kDepth = 1500;  // [mm] of the surface that a pattern is drawn on
-constexpr std::uint64_t kRooms = 7;
+constexpr std::uint64_t kRooms = 9;
 
 constexpr std::array<const char*, kPatternKinds> kNames = {
     "spiral",  "square spiral", "row comb", "column comb", "dots",   "speckle", "carpet",
@@ -134,6 +134,14 @@ Pattern changedPattern(const Pattern& pattern, Random& random) {
   return changed;
 }
 
+SlowImages::SlowImages(const Parameters& parameters) : segmenter_(parameters) {
+  for (std::uint64_t room = 1; room <= kRooms; ++room) {
+    simulation::SimulatedCamera camera({room, kWidth, kHeight, true});
+    rooms_.emplace_back(static_cast<std::size_t>(kWidth) * static_cast<std::size_t>(kHeight));
+    camera.capture(0, 5.0, rooms_.back().data());
+  }
+}
+
 std::vector<std::uint16_t> SlowImages::draw(const Pattern& pattern) {
   Random random(1);
   std::vector<std::uint16_t> depth;
@@ -157,14 +165,20 @@ double SlowImages::secondsOf(const std::vector<std::uint16_t>& depth, int runs) 
   return least;
 }
 
-double SlowImages::secondsOfRoom(int runs) {
-  std::vector<double> seconds;
-  std::vector<std::uint16_t> depth(static_cast<std::size_t>(kWidth) * static_cast<std::size_t>(kHeight));
-  for (std::uint64_t room = 1; room <= kRooms; ++room) {
-    simulation::SimulatedCamera camera({room, kWidth, kHeight, true});
-    camera.capture(0, 5.0, depth.data());
-    seconds.push_back(secondsOf(depth, runs));
+double SlowImages::timesOfRoom(const std::vector<std::uint16_t>& depth, int runs) {
+  std::vector<double> of_image, of_rooms;
+  for (int run = 0; run < runs; ++run) {
+    for (const std::vector<std::uint16_t>& room : rooms_) {
+      of_rooms.push_back(secondsOf(room, 1));
+      of_image.push_back(secondsOf(depth, 1));
+    }
   }
+  return median(of_image) / median(of_rooms);
+}
+
+double SlowImages::secondsOfRoom() {
+  std::vector<double> seconds;
+  for (const std::vector<std::uint16_t>& room : rooms_) seconds.push_back(secondsOf(room, 3));
   return median(seconds);
 }
 

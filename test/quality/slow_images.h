@@ -45,12 +45,12 @@ Pattern randomPattern(Random& random);
 /// A pattern with one or two values changed.
 Pattern changedPattern(const Pattern& pattern, Random& random);
 
-/// A camera and a method, and how long they take.
+/// A method, and how long it takes.
 class SlowImages {
  public:
   static constexpr int kWidth = 640, kHeight = 480;
 
-  explicit SlowImages(const Parameters& parameters) : segmenter_(parameters) {}
+  explicit SlowImages(const Parameters& parameters);
 
   /// [mm] kWidth * kHeight pixels, 0 = no depth
   static std::vector<std::uint16_t> draw(const Pattern& pattern);
@@ -58,11 +58,16 @@ class SlowImages {
   /// [s] of processor time, the least of several runs
   double secondsOf(const std::vector<std::uint16_t>& depth, int runs);
 
-  /// [s] as secondsOf(): the median of simulated rooms
-  double secondsOfRoom(int runs);
+  /// The median time over that of simulated rooms. An image and a room take turns, so that a machine that
+  /// changes its speed changes both.
+  double timesOfRoom(const std::vector<std::uint16_t>& depth, int runs);
+
+  /// [s] the median of simulated rooms
+  double secondsOfRoom();
 
  private:
   PlaneSegmenter segmenter_;
+  std::vector<std::vector<std::uint16_t>> rooms_;
 };
 
 }  // namespace line_plane_segmentation

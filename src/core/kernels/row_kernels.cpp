@@ -26,9 +26,12 @@ class RunLanes {
     depth_ = Lanes{depths[0], depths[1], depths[2], depths[3]};
     std::memcpy(&ray_, x, sizeof(ray_));
   }
-  void set(int lane, float z, double x) {
-    depth_[lane] = static_cast<double>(z);
-    ray_[lane] = x;
+  // Loads fewer pixels than lanes, but at least one; the other lanes repeat the last one with the depth 0.
+  void loadFew(const float* z, const double* x, int pixels) {
+    const int second = pixels > 1 ? 1 : 0, third = pixels > 2 ? 2 : second;
+    depth_ = Lanes{z[0], z[second], z[third], 0.0};
+    depth_ *= Lanes{1.0, second > 0 ? 1.0 : 0.0, third > second ? 1.0 : 0.0, 0.0};
+    ray_ = Lanes{x[0], x[second], x[third], x[third]};
   }
   // Sets all loaded depths but the last ones to 0.
   void keepLast(int pixels) {
@@ -204,7 +207,7 @@ void addRun(const float* z, const double* x, double y, int count, PixelSums& sum
   constexpr int kLanes = PixelSums::kLanes;
   RunLanes run;
   if (count < kLanes) {
-    for (int i = 0; i < count; ++i) run.set(i, z[i], x[i]);
+    run.loadFew(z, x, count);
   } else {
     int i = 0;
     for (; i + kLanes <= count; i += kLanes) {

@@ -47,7 +47,10 @@ void AdaptiveMethod::extractPlanes(const Frame& frame, StageObserver&, LabeledPl
   clusterer_.cluster(frame.depth, frame.rays, grid_, frame.parameters, distortion_, clusters_, cluster_at_);
   assigner_.assign(frame.depth, frame.rays, grid_, clusters_, cluster_at_, frame.parameters, planes.runs);
   continuation_.find(frame.rays, grid_, clusters_, cluster_at_, frame.parameters, plane_of_);
-  planes.runs.relabel(plane_of_);
+  planes.runs.join([this](std::size_t, const LabelRun& run) {
+    const bool is_plane = run.label != 0 && run.label != kNoDepthLabel;
+    return is_plane ? static_cast<std::uint16_t>(plane_of_[run.label - 1U] + 1) : run.label;
+  });
 }
 
 void AdaptiveMethod::refine(const Frame& frame, LabeledPlanes& planes) {

@@ -98,7 +98,10 @@ void BorderFollower::followFrom(int start_x, int start_y, Direction start_direct
   int x = start_x, y = start_y;
   unsigned direction = start_direction;
   do {
-    corners_.push_back({x, y});
+    // Each number by itself: a pair made first and then copied would wait for both to be stored.
+    Corner& corner = corners_.emplace_back();
+    corner.x = x;
+    corner.y = y;
     const Run run = runFrom(x, y, direction);
     x += kStepX[direction] * run.steps;
     y += kStepY[direction] * run.steps;

@@ -62,33 +62,6 @@ void LabelRuns::scan(const std::vector<std::uint16_t>& labels, int width, int he
   }
 }
 
-void LabelRuns::relabel(const std::vector<int>& plane_of) {
-  for (LabelRun& run : runs) {
-    if (run.label != 0 && run.label != kNoDepthLabel)
-      run.label = static_cast<std::uint16_t>(plane_of[run.label - 1U] + 1);
-  }
-  join();
-}
-
-void LabelRuns::join() {
-  std::size_t kept = 0;
-  for (std::size_t row = 0; row + 1 < row_begin.size(); ++row) {
-    const std::size_t begin = row_begin[row], end = row_begin[row + 1];
-    row_begin[row] = kept;
-    int first = 0, label = -1;
-    for (std::size_t i = begin; i < end; ++i) {
-      const LabelRun run = runs[i];
-      const bool is_another = run.label != label;
-      first = is_another ? run.first : first;
-      label = run.label;
-      kept += is_another ? 1U : 0U;
-      runs[kept - 1] = {run.row, first, run.last, run.label};
-    }
-  }
-  runs.resize(kept);
-  if (!row_begin.empty()) row_begin.back() = kept;
-}
-
 void LabelRuns::write(std::vector<std::uint16_t>& labels, int width) const {
   std::uint16_t* const end = labels.data() + labels.size();
   for (const LabelRun& run : runs) {

@@ -38,12 +38,10 @@ struct LabelRuns {
   /// All rows of a label image at once.
   void scan(const std::vector<std::uint16_t>& labels, int width, int height);
 
-  /// Replaces each label k + 1 by plane_of[k] + 1, and makes one run of neighbours that come to carry the
-  /// same.
-  void relabel(const std::vector<int>& plane_of);
-
-  /// Makes one run of neighbours in a row that have come to carry the same label.
-  void join();
+  /// Gives each run i the label `label_of(i, run)`, and makes one run of neighbours in a row that come to
+  /// carry the same.
+  template <typename Function>
+  void join(Function&& label_of);
 
   /// Writes the runs' labels into an image of their size.
   void write(std::vector<std::uint16_t>& labels, int width) const;
@@ -72,6 +70,32 @@ void LabelRuns::joinOverSpeckles(int max_pixels, Predicate&& is_like) {
   }
   runs.resize(kept);
   row_begin.back() = kept;
+}
+
+template <typename Function>
+void LabelRuns::join(Function&& label_of) {
+  std::size_t kept = 0;
+  for (std::size_t row = 0; row + 1 < row_begin.size(); ++row) {
+    const std::size_t begin = row_begin[row], end = row_begin[row + 1];
+    row_begin[row] = kept;
+    int first = 0, label = -1;
+    for (std::size_t i = begin; i < end; ++i) {
+      const LabelRun run = runs[i];
+      const std::uint16_t new_label = label_of(i, run);
+      const bool is_another = new_label != label;
+      first = is_another ? run.first : first;
+      label = new_label;
+      kept += is_another ? 1U : 0U;
+      // Stored one by one: a copy of the whole would wait for its parts.
+      LabelRun& joined = runs[kept - 1];
+      joined.row = run.row;
+      joined.first = first;
+      joined.last = run.last;
+      joined.label = new_label;
+    }
+  }
+  runs.resize(kept);
+  if (!row_begin.empty()) row_begin.back() = kept;
 }
 
 /// Calls `visit(a, b)` for each two runs that lie above each other in some columns, a above b.

@@ -114,11 +114,14 @@ void PixelAssigner::splitAtCreases(double y) {
 // Whether a few pixels of a row lie at the depth of those to their left and right.
 bool PixelAssigner::isLikeNeighbors(const float* z, const LabelRun& before, const LabelRun& speckle,
                                     const LabelRun& after) const {
-  const float expected = 0.5F * (1.0F / z[before.last - 1] + 1.0F / z[after.first]);
+  // The expected inverse depth is the mean of both, sum / product: the error times the product takes no
+  // division.
+  const float left = z[before.last - 1], right = z[after.first];
+  const float product = 2.0F * left * right, sum = left + right;
   bool is_like = true;
   for (int u = speckle.first; u < speckle.last; ++u) {
-    const float error = std::fabs(1.0F - z[u] * expected) * depth_over_noise_[u];
-    is_like &= !(error > kMaxSpeckleError);
+    const float error = std::fabs(product - z[u] * sum) * depth_over_noise_[u];
+    is_like &= !(error > kMaxSpeckleError * product);
   }
   return is_like;
 }

@@ -21,19 +21,29 @@ constexpr int kMaxGapRegions = 8;
 // [tolerances] Difference along the ray above which neighbouring pixels do not touch.
 constexpr double kMaxStep = 1.0;
 
-// How many of two rows' pixels lie at the same depth: their inverse depths differ by less than the tolerance
+// Whether neighbouring pixels lie at the same depth: their inverse depths differ by less than the tolerance
 // of the farther one. Multiplied by both depths and by the farther one, that takes no division.
-int countTouching(const float* z, const float* other, int count, const DepthTolerance& tolerance) {
-  int touching = 0;
-  for (int i = 0; i < count; ++i) {
-    const double near = static_cast<double>(std::min(z[i], other[i]));
-    const double far = static_cast<double>(std::max(z[i], other[i]));
-    const double beyond = far - tolerance.noise.nearest;
-    const double noise = tolerance.noise.floor + tolerance.noise.growth * beyond * beyond;
-    touching += (far - near) * far < tolerance.noise_factor * noise * near ? 1 : 0;
+class StepTest {
+ public:
+  explicit StepTest(const Parameters& parameters)
+      : floor_(kMaxStep * parameters.extraction.distance_noise_factor * parameters.noise.floor),
+        growth_(kMaxStep * parameters.extraction.distance_noise_factor * parameters.noise.growth),
+        nearest_(parameters.noise.nearest) {}
+
+  int touch(float a, float b) const {
+    const double near = static_cast<double>(std::min(a, b)), far = static_cast<double>(std::max(a, b));
+    const double beyond = far - nearest_;
+    return (far - near) * far < (floor_ + growth_ * beyond * beyond) * near ? 1 : 0;
   }
-  return touching;
-}
+  int countTouching(const float* z, const float* other, int count) const {
+    int touching = 0;
+    for (int i = 0; i < count; ++i) touching += touch(z[i], other[i]);
+    return touching;
+  }
+
+ private:
+  double floor_, growth_, nearest_;
+};
 
 }  // namespace
 
@@ -113,46 +123,52 @@ void RegionCleaner::listBordersOfSmall(const LabelRuns& image) {
     borders_[kept] = border;
     kept += is_of_small(border.first, border.second) ? 1U : 0U;
   }
-  border_count_ = kept;
+  border_count_ = vertical_count_ = kept;
   for (int i = 1; i < static_cast<int>(image.runs.size()); ++i) {
     const std::size_t at = static_cast<std::size_t>(i);
     addBorderIf((image.runs[at - 1].row == image.runs[at].row) & is_of_small(i - 1, i), {i - 1, i});
   }
 }
 
+// A border of so many pixels between a small component and a large one, some of which touch. The small one
+// votes for the label that it may be merged into (Boyer and Moore's vote): one that more than half of the
+// touching pixels have is target_label in the end. Factors stand for branches, which would be mispredicted.
+void RegionCleaner::addContact(const Border& border, int length, int touching, const LabelRuns& image) {
+  const bool first_is_small = componentOf(border.first).size == kSmall;
+  const int small = first_is_small ? border.first : border.second;
+  const int label = image.runs[first_is_small ? border.second : border.first].label;
+  Component& component = componentOf(small);
+  component.majority_margin -= length;
+  const int sign = 2 * static_cast<int>(label == component.target_label) - 1;
+  const int vote_count = component.vote_count + sign * touching;
+  component.target_label = vote_count < 0 ? label : component.target_label;
+  component.vote_count = std::abs(vote_count);
+  contacts_.push_back({component_of_run_[small], touching, label});
+}
+
 // Where small components touch large ones.
 void RegionCleaner::findContacts(const DepthImage& depth, const Parameters& parameters,
                                  const LabelRuns& image) {
   contacts_.clear();
-  const DepthTolerance tolerance{parameters.noise, kMaxStep * parameters.extraction.distance_noise_factor};
-  for (std::size_t k = 0; k < border_count_; ++k) {
-    const Border border = borders_[k];
-    const LabelRun& a = image.runs[border.first];
-    const LabelRun& b = image.runs[border.second];
-    const bool are_beside = a.row == b.row;
-    const int first = std::max(a.first, b.first);
-    const int length = are_beside ? 1 : std::min(a.last, b.last) - first;
-    const int touching = countTouching(depth.row(a.row) + (are_beside ? first - 1 : first),
-                                       depth.row(b.row) + first, length, tolerance);
-    const bool a_is_small = componentOf(border.first).size == kSmall;
-    const int small = a_is_small ? border.first : border.second;
-    componentOf(small).majority_margin -= length;
-    contacts_.push_back({component_of_run_[small], a_is_small ? b.label : a.label, touching});
+  contacts_.reserve(border_count_);
+  const StepTest step(parameters);
+  for (std::size_t k = 0; k < vertical_count_; ++k) {
+    const LabelRun &above = image.runs[borders_[k].first], &below = image.runs[borders_[k].second];
+    const int first = std::max(above.first, below.first);
+    const int length = std::min(above.last, below.last) - first;
+    addContact(borders_[k], length,
+               step.countTouching(depth.row(above.row) + first, depth.row(below.row) + first, length), image);
+  }
+  for (std::size_t k = vertical_count_; k < border_count_; ++k) {
+    const LabelRun& right = image.runs[borders_[k].second];
+    const float* const z = depth.row(right.row) + right.first;
+    addContact(borders_[k], 1, step.touch(z[-1], z[0]), image);
   }
 }
 
-// Chooses the label that more than half of a small component's border touches, or 0 for no plane. Pixels
-// behind a depth step do not touch.
+// Keeps the target_label of a small component if more than half of its border touches it. Pixels behind a
+// depth step do not touch.
 void RegionCleaner::chooseMergeTargets() {
-  // Boyer and Moore's vote: a label that has more than half vote_counts in the end. Factors stand for
-  // branches, which would be mispredicted.
-  for (const Contact& contact : contacts_) {
-    Component& component = components_[contact.component];
-    const int sign = 2 * static_cast<int>(contact.label == component.target_label) - 1;
-    const int vote_count = component.vote_count + sign * contact.length;
-    component.target_label = vote_count < 0 ? contact.label : component.target_label;
-    component.vote_count = std::abs(vote_count);
-  }
   for (const Contact& contact : contacts_) {
     Component& component = components_[contact.component];
     component.majority_margin +=
@@ -172,10 +188,10 @@ void RegionCleaner::rejectDistantTargets(const DepthImage& depth, const ViewRays
   errors_.assign(components_.size(), 0.0);
   for (std::size_t i = 0; i < image.runs.size(); ++i) {
     const std::size_t component = static_cast<std::size_t>(component_of_run_[i]);
-    const std::uint16_t target_label = components_[component].target_label;
+    const int target_label = components_[component].target_label;
     if (target_label == 0) continue;
     const LabelRun& run = image.runs[i];
-    const InverseDepthPlane& plane = clusters[target_label - 1U].plane;
+    const InverseDepthPlane& plane = clusters[target_label - 1].plane;
     const double y = rays.y[run.row];
     const double orthogonal_tolerance = parameters.extraction.plane_distance * plane.inverseDistance();
     const float* z_of = depth.row(run.row);
@@ -199,7 +215,7 @@ void RegionCleaner::rejectDistantTargets(const DepthImage& depth, const ViewRays
 int RegionCleaner::renumber(int min_plane_inliers, int label_count) {
   label_pixels_.assign(static_cast<std::size_t>(label_count) + 1, 0);
   for (Component& component : components_) {
-    if (component.size == kSmall) component.label = component.target_label;
+    if (component.size == kSmall) component.label = static_cast<std::uint16_t>(component.target_label);
     label_pixels_[component.label] += component.pixels;
   }
   order_.clear();
@@ -231,10 +247,7 @@ int RegionCleaner::clean(const DepthImage& depth, const ViewRays& rays,
   rejectDistantTargets(depth, rays, clusters, parameters, image);
   const int plane_count =
       renumber(parameters.extraction.min_plane_inliers, static_cast<int>(clusters.size()));
-  for (std::size_t i = 0; i < image.runs.size(); ++i) {
-    image.runs[i].label = components_[component_of_run_[i]].label;
-  }
-  image.join();
+  image.join([this](std::size_t i, const LabelRun&) { return components_[component_of_run_[i]].label; });
   return plane_count;
 }
 

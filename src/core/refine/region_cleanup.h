@@ -32,8 +32,8 @@ class RegionCleaner {
 
   /// A connected component of one label.
   struct Component {
+    int target_label = 0;  ///< of a small component: the label to merge into, or 0
     std::uint16_t label = 0;
-    std::uint16_t target_label = 0;  ///< of a small component: the label to merge into, or 0
     Size size = kNoDepth;
     int pixels = 0;
     int vote_count = 0;  ///< of the target_label while it is voted for
@@ -47,8 +47,8 @@ class RegionCleaner {
   /// Pixels of a small component that touch a large one.
   struct Contact {
     int component;
-    std::uint16_t label;  ///< of the large one
     int length;
+    int label;  ///< of the large one; an int, since storing 16 bits just before they are copied takes long
   };
 
   int find(int run);
@@ -64,6 +64,7 @@ class RegionCleaner {
   void numberComponents(const LabelRuns& image);
   void measureComponents(int min_region_pixels, const LabelRuns& image);
   void listBordersOfSmall(const LabelRuns& image);
+  void addContact(const Border& border, int length, int touching, const LabelRuns& image);
   void findContacts(const DepthImage& depth, const Parameters& parameters, const LabelRuns& image);
   void chooseMergeTargets();
   void rejectDistantTargets(const DepthImage& depth, const ViewRays& rays,
@@ -76,6 +77,7 @@ class RegionCleaner {
   std::vector<double> errors_;         // [tolerances] per component: summed distance to the target's plane
   std::vector<Border> borders_;        // the first border_count_ are valid
   std::size_t border_count_ = 0;
+  std::size_t vertical_count_ = 0;  // of the borders, which come first: those between two rows
   std::vector<Contact> contacts_;
   std::vector<int> label_pixels_, order_;
   std::vector<std::uint16_t> new_label_;  // of each label
