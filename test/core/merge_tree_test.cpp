@@ -61,7 +61,7 @@ TEST(CrossingDetector, LinksNothingAcrossAStep) {
 struct Tree : MergeTree {
   CandidateImage image;
   explicit Tree(const DepthImage& depth, double limit = 4.4) : image(findCandidates(depth)) {
-    start(image.grid.candidates);
+    start(image.grid, stepTolerance(adaptiveParameters(kWidth)));
     mergeLinked(image.grid.links, limit, {1.0 / 16, 1.0 / 4, 1.0, 1.0});
   }
 
@@ -113,17 +113,17 @@ TEST(MergeTree, CostIsTheAddedErrorPerPixelOfTheSmaller) {
   EXPECT_EQ(tree.find(1), tree.leaves());
 }
 
-/// Merges the candidates of the left and of the right half of an image to one cluster each, and asks whether
-/// these are two planes.
-bool areTwoPlanes(const DepthImage& depth) {
+/// Merges the candidates left and right of a column to one cluster each, and asks whether these are two
+/// planes.
+bool areTwoPlanes(const DepthImage& depth, int border = kWidth / 2) {
   MergeTree tree;
   const CandidateImage image = findCandidates(depth);
-  tree.start(image.grid.candidates);
+  tree.start(image.grid, stepTolerance(adaptiveParameters(kWidth)));
   int halves[2] = {-1, -1};
   for (int i = 0; i < tree.leaves(); ++i) {
     const int u = image.grid.candidates[static_cast<std::size_t>(i)].u;
-    if (std::abs(u - 160) < 12) continue;
-    int& half = halves[u < 160 ? 0 : 1];
+    if (std::abs(u - border) < 12) continue;
+    int& half = halves[u < border ? 0 : 1];
     FittedPixels both;
     if (half >= 0) {
       EXPECT_TRUE(tree.combine(half, i, both));
@@ -153,9 +153,23 @@ TEST(MergeTree, TellsTwoPlanesFromOneAndFromABentOne) {
   EXPECT_FALSE(areTwoPlanes(bent(0.045))) << "as the sensor's distortion bends a wall";
 }
 
+/// A wall, of which the last columns stand back.
+DepthImage withStep(double metres, int first) {
+  DepthImage depth = render(surfaceAt(2.5), kCamera, kWidth, kHeight);
+  paint(surfaceAt(2.5 + metres), kCamera, {first, kWidth, 0, kHeight}, depth);
+  return noisy(depth, 0.3);
+}
+
+TEST(MergeTree, TellsAStepFromABend) {
+  constexpr int kBorder = 280;
+  EXPECT_TRUE(areTwoPlanes(withStep(0.05, kBorder), kBorder)) << "although a quadric explains most of it";
+  EXPECT_FALSE(areTwoPlanes(bent(0.045), kBorder));
+}
+
 TEST(MergeTree, OfNothingIsNothing) {
+  const CandidateGrid grid;
   MergeTree tree;
-  tree.start({});
+  tree.start(grid, {});
   tree.mergeLinked({}, 1.0, {1.0});
   EXPECT_EQ(tree.size(), 0);
 }

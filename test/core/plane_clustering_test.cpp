@@ -85,6 +85,16 @@ TEST(PlaneClusterer, SeparatesPlanesWithOpenSpaceBetween) {
   EXPECT_NE(found.at(40, 120), found.at(280, 120));
 }
 
+TEST(PlaneClusterer, SeparatesOccludedPlanesAtDifferentDepths) {
+  for (const double metres : {0.012, 0.03}) {
+    DepthImage depth = halves(surfaceAt(1.5), surfaceAt(1.5 + metres), kCamera, kWidth, kHeight);
+    paint(surfaceAt(1.0), kCamera, {130, 190, 0, kHeight}, depth);
+    const Clusters found(noisy(depth));
+    const bool is_one = found.at(40, 120) == found.at(280, 120);
+    EXPECT_EQ(is_one, metres < adaptiveParameters(kWidth).extraction.plane_distance) << metres;
+  }
+}
+
 TEST(PlaneClusterer, MergesNothingCoplanarAtCostZero) {
   Parameters parameters = adaptiveParameters(kWidth);
   parameters.clusters.coplanar_cost = 0.0;

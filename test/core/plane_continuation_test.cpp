@@ -70,6 +70,13 @@ TEST(PlaneContinuation, TwoPlanesAreAStepApart) {
   EXPECT_EQ(image.find(), (Planes{0, 1}));
 }
 
+// Two tolerances are allowed between the planes, since distortion bends their ends away from each other, but
+// not between the surfaces.
+TEST(PlaneContinuation, TwoPlanesAreASmallStepApart) {
+  TwoClusters image = clustersOf(surfaceAt(3.5), surfaceAt(3.55), kWidth / 2);
+  EXPECT_EQ(image.find(), (Planes{0, 1}));
+}
+
 TEST(PlaneContinuation, TheSmallerContinuesTheLarger) {
   TwoClusters image = clustersOf(surfaceAt(2.0), surfaceAt(2.0), 100);
   ASSERT_LT(image.clusters[0].candidates, image.clusters[1].candidates);

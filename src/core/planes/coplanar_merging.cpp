@@ -2,10 +2,13 @@
 #include "planes/coplanar_merging.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <cstdlib>
 #include <limits>
 #include <tuple>
+
+#include "planes/depth_step.h"
 
 namespace line_plane_segmentation {
 namespace {
@@ -36,6 +39,27 @@ bool CoplanarMerger::isOccludedBetween(Pixel from, Pixel to, const InverseDepthP
     if (4 * ++behind >= steps) return false;
   }
   return 4 * behind < steps;
+}
+
+// Whether candidates span fewer than three scanlines in either direction: the slope of their plane is
+// uncertain.
+bool CoplanarMerger::isNarrow(const std::vector<Pixel>& pixels, int spacing) {
+  const auto [left, right] =
+      std::minmax_element(pixels.begin(), pixels.end(), [](Pixel p, Pixel q) { return p.u < q.u; });
+  const auto [top, bottom] =
+      std::minmax_element(pixels.begin(), pixels.end(), [](Pixel p, Pixel q) { return p.v < q.v; });
+  return std::min(right->u - left->u, bottom->v - top->v) < 2 * spacing;
+}
+
+// Whether two planes are at the same depth halfway between two of their candidates.
+bool CoplanarMerger::isSameDepthBetween(Pixel from, Pixel to, const InverseDepthPlane& plane,
+                                        const InverseDepthPlane& other, const ViewRays& rays,
+                                        const DepthTolerance& tolerance) {
+  const double x = 0.5 * (static_cast<double>(rays.x[from.u]) + static_cast<double>(rays.x[to.u]));
+  const double y = 0.5 * (static_cast<double>(rays.y[from.v]) + static_cast<double>(rays.y[to.v]));
+  const double rho = plane.at(x, y), other_rho = other.at(x, y);
+  const double inverse_distance = 0.5 * (plane.inverseDistance() + other.inverseDistance());
+  return std::fabs(rho - other_rho) < tolerance.at(0.5 * (rho + other_rho), inverse_distance);
 }
 
 void CoplanarMerger::listPairs(const MergeTree& tree, const std::vector<int>& planes, double limit) {
@@ -69,6 +93,8 @@ CoplanarMerger::Pixel CoplanarMerger::nearest(const std::vector<Pixel>& pixels, 
 void CoplanarMerger::mergePairs(const DepthImage& depth, const ViewRays& rays, const Parameters& parameters,
                                 MergeTree& tree) {
   const double limit = parameters.clusters.coplanar_cost;
+  const DepthTolerance step_tolerance = stepTolerance(parameters);
+  const int spacing = parameters.scanlines.scanline_spacing;
   const auto find = [this](int i) {
     while (merged_into_[i] != i) i = merged_into_[i];
     return i;
@@ -84,6 +110,10 @@ void CoplanarMerger::mergePairs(const DepthImage& depth, const ViewRays& rays, c
     if (!tree.combine(first, second, both) || !(tree.costOf(first, second, both) < limit)) continue;
     const Pixel from = nearest(pixels_[a], pixels_[b].front());
     const Pixel to = nearest(pixels_[b], from);
+    const bool are_wide = !isNarrow(pixels_[a], spacing) && !isNarrow(pixels_[b], spacing);
+    if (are_wide &&
+        !isSameDepthBetween(from, to, tree.node(first).plane, tree.node(second).plane, rays, step_tolerance))
+      continue;
     if (!isOccludedBetween(from, to, both.plane, depth, rays, parameters)) continue;
     first = tree.merge(first, second, both);
     merged_into_[b] = a;

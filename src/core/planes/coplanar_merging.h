@@ -36,6 +36,11 @@ class CoplanarMerger {
   static bool isOccludedBetween(Pixel from, Pixel to, const InverseDepthPlane& plane, const DepthImage& depth,
                                 const ViewRays& rays, const Parameters& parameters);
 
+  static bool isNarrow(const std::vector<Pixel>& pixels, int spacing);
+  static bool isSameDepthBetween(Pixel from, Pixel to, const InverseDepthPlane& plane,
+                                 const InverseDepthPlane& other, const ViewRays& rays,
+                                 const DepthTolerance& tolerance);
+
   std::size_t indexOf(int a, int b) const {
     return static_cast<std::size_t>(a) * compared_.size() + static_cast<std::size_t>(b);
   }

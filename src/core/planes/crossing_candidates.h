@@ -41,6 +41,13 @@ struct CandidateGrid {
   int crossings() const { return columns * rows; }
   double fractionPerCandidate() const { return 1.0 / std::max(1, crossings()); }
   int indexOf(int column, int row) const { return row * columns + column; }
+
+  /// The crossing some columns to the right and rows below, -1 outside of the grid.
+  int cellBeside(int cell, int to_right, int below) const {
+    const int column = cell % columns + to_right, row = cell / columns + below;
+    const bool is_inside = column >= 0 && column < columns && row >= 0 && row < rows;
+    return is_inside ? indexOf(column, row) : -1;
+  }
 };
 
 /// Stage "candidates" of the default method.

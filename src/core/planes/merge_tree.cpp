@@ -2,6 +2,7 @@
 #include "planes/merge_tree.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -37,7 +38,10 @@ double deviationOf(const RegressionMoments& m, const InverseDepthPlane& plane) {
 
 }  // namespace
 
-void MergeTree::start(const std::vector<CrossingCandidate>& candidates) {
+void MergeTree::start(const CandidateGrid& grid, const DepthTolerance& step_tolerance) {
+  grid_ = &grid;
+  step_tolerance_ = step_tolerance;
+  const std::vector<CrossingCandidate>& candidates = grid.candidates;
   leaves_ = static_cast<int>(candidates.size());
   nodes_.clear();
   nodes_.reserve(2 * candidates.size());
@@ -120,6 +124,36 @@ double MergeTree::quadricVariance(int i) {
   return quadricVarianceOfListed(node(i).plane);
 }
 
+// The root above the candidate at a crossing, -1 if there is none.
+int MergeTree::clusterAt(int cell) {
+  const int candidate = cell < 0 ? -1 : grid_->candidate_at[cell];
+  return candidate < 0 ? -1 : find(candidate);
+}
+
+// Adds the steps from a candidate of the root a to those of the root b that come next on its scanlines.
+void MergeTree::addContacts(int candidate, int a, int b, MeanStep& steps) {
+  static constexpr std::array<std::array<int, 2>, 4> kDirections = {{{1, 0}, {0, 1}, {-1, 0}, {0, -1}}};
+  const int from = grid_->candidates[candidate].cell;
+  for (const auto& [right, down] : kDirections) {
+    int to = grid_->cellBeside(from, right, down);
+    for (int distance = 2; distance <= kMaxContactDistance && clusterAt(to) < 0; ++distance)
+      to = grid_->cellBeside(from, right * distance, down * distance);
+    if (clusterAt(to) != b) continue;
+    const ClusterContact contact =
+        contactBetween(*grid_, from, to, right, down, [this](int cell) { return clusterAt(cell); });
+    steps.add(stepAt(contact, node(a).plane, node(b).plane, step_tolerance_));
+  }
+}
+
+// Whether there is a step in depth where the clusters of two roots meet.
+bool MergeTree::hasStep(int a, int b) {
+  const bool is_a_smaller = node(a).candidates <= node(b).candidates;
+  const int smaller = is_a_smaller ? a : b, larger = is_a_smaller ? b : a;
+  MeanStep steps;
+  for (const int candidate : candidatesOf(smaller)) addContacts(candidate, smaller, larger, steps);
+  return steps.isStep();
+}
+
 bool MergeTree::isTwoPlanes(int a, int b, const FittedPixels& both) {
   const Node &first = node(a), &second = node(b);
   const int fewer = std::min(first.candidates, second.candidates);
@@ -131,11 +165,11 @@ bool MergeTree::isTwoPlanes(int a, int b, const FittedPixels& both) {
   const double apart = squaredError(first) + squaredError(second);
   const double bound = kTwoPlanes * (apart / degrees_of_freedom + kVarianceFloor) * fewer;
   if (common - apart < bound) return false;
-  // Distortion bends planes smoothly, as a quadric does.
+  // Distortion bends planes smoothly, as a quadric does. But a quadric may explain a step as well.
   listed_.clear();
   appendCandidates(a);
   appendCandidates(b);
-  return quadricVarianceOfListed(both.plane) * degrees_of_freedom - apart >= bound;
+  return quadricVarianceOfListed(both.plane) * degrees_of_freedom - apart >= bound || hasStep(a, b);
 }
 
 // Merges the clusters of a pair if that costs less than a fraction of the limit.

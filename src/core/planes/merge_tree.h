@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "planes/crossing_candidates.h"
+#include "planes/depth_step.h"
 
 namespace line_plane_segmentation {
 
@@ -26,8 +27,8 @@ class MergeTree {
     int candidates = 0;
   };
 
-  /// Starts with one cluster for each candidate.
-  void start(const std::vector<CrossingCandidate>& candidates);
+  /// Starts with one cluster for each candidate. The grid is read until the next start.
+  void start(const CandidateGrid& grid, const DepthTolerance& step_tolerance);
 
   int size() const { return static_cast<int>(nodes_.size()); }
   int leaves() const { return leaves_; }
@@ -60,8 +61,9 @@ class MergeTree {
   /// Appends a merged cluster and returns its index.
   int merge(int a, int b, const FittedPixels& both);
 
-  /// Whether two planes explain the candidates of two clusters much better than one plane or one quadric
-  /// surface. False if either has fewer than 8 candidates.
+  /// Whether two planes explain the candidates of two clusters much better than one plane, and there is a
+  /// step between them or a quadric surface does not explain them either. False if either has fewer than 8
+  /// candidates.
   bool isTwoPlanes(int a, int b, const FittedPixels& both);
 
   /// Variance of the candidates' mean points about their common plane [tolerance²]; 0 if there are fewer
@@ -83,9 +85,14 @@ class MergeTree {
   };
 
   void appendCandidates(int i);
+  int clusterAt(int cell);
+  void addContacts(int candidate, int a, int b, MeanStep& steps);
+  bool hasStep(int a, int b);
   double quadricVarianceOfListed(const InverseDepthPlane& plane);
   bool compare(Pair& pair, double limit, double fraction);
 
+  const CandidateGrid* grid_ = nullptr;
+  DepthTolerance step_tolerance_;
   std::vector<Node> nodes_;
   std::vector<int> parent_;
   int leaves_ = 0;

@@ -107,7 +107,7 @@ void PlaneClusterer::addPlanes(int root, double fraction_per_candidate, int min_
 void PlaneClusterer::cluster(const DepthImage& depth, const ViewRays& rays, const CandidateGrid& grid,
                              const Parameters& parameters, double distortion,
                              std::vector<PlaneCluster>& clusters, std::vector<int>& cluster_at) {
-  tree_.start(grid.candidates);
+  tree_.start(grid, stepTolerance(parameters));
   tree_.mergeLinked(grid.links, parameters.clusters.merge_cost,
                     {1.0 / 64, 1.0 / 16, 1.0 / 8, 1.0 / 4, 1.0 / 2, 1.0, 1.0});
 

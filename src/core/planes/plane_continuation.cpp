@@ -40,26 +40,34 @@ std::uint32_t keyOf(int a, int b) {
 
 void PlaneContinuation::addContact(const ViewRays& rays, const CandidateGrid& grid,
                                    const std::vector<PlaneCluster>& clusters,
-                                   const std::vector<int>& cluster_at, const DepthTolerance& tolerance,
-                                   int cell, int other_cell) {
+                                   const std::vector<int>& cluster_at, const Parameters& parameters, int cell,
+                                   int to_right, int below) {
+  const int distance = to_right + below, other_cell = grid.cellBeside(cell, to_right, below);
   const int a = cluster_at[cell], b = cluster_at[other_cell];
   if (a == b) return;
-  const CrossingCandidate &from = grid.candidateAt(cell), &to = grid.candidateAt(other_cell);
+  const ClusterContact contact = contactBetween(grid, cell, other_cell, to_right / distance, below / distance,
+                                                [&cluster_at](int at) { return cluster_at[at]; });
+  const CrossingCandidate &from = *contact.from, &to = *contact.to;
   const auto x_of = [&rays](int u) { return static_cast<double>(rays.x[u]); };
   const auto y_of = [&rays](int v) { return static_cast<double>(rays.y[v]); };
   const double x = 0.5 * (x_of(from.u) + x_of(to.u)), y = 0.5 * (y_of(from.v) + y_of(to.v));
-  const InverseDepthPlane& plane = clusters[a].plane;
-  const double rho = plane.at(x, y), other_rho = clusters[b].plane.at(x, y);
+  const InverseDepthPlane &plane = clusters[a].plane, &other = clusters[b].plane;
+  const double rho = plane.at(x, y), other_rho = other.at(x, y);
   const double mean = 0.5 * (rho + other_rho);
+  const DepthTolerance tolerance{parameters.noise, parameters.patches.patch_noise_factor,
+                                 parameters.patches.patch_distance};
   const double gap = (rho - other_rho) / tolerance.at(mean, plane.inverseDistance());
-  const std::uint32_t order = static_cast<std::uint32_t>(contacts_.size());
-  contacts_.push_back({keyOf(a, b), order, 1, gap * gap, mean});
+  contacts_.push_back({keyOf(a, b), static_cast<std::uint32_t>(contacts_.size()), 1, gap * gap, mean, {}});
+  if (distance > kMaxContactDistance) return;
+  const double step = stepAt(contact, plane, other, stepTolerance(parameters));
+  contacts_.back().step.add(a < b ? step : -step);
 }
 
-// Whether the planes agree where they touch, and turn by no more than distortion and noise explain.
+// Whether the planes agree where they touch, without a step, and turn by no more than distortion and noise
+// explain.
 bool PlaneContinuation::isContinued(const PlaneCluster& small, const PlaneCluster& large,
                                     const Contact& contact) {
-  if (contact.squared_gap > kMaxSquaredGap * contact.count) return false;
+  if (contact.squared_gap > kMaxSquaredGap * contact.count || contact.step.isStep()) return false;
   const double turn = std::hypot(small.plane.a - large.plane.a, small.plane.b - large.plane.b);
   return turn <= kMaxTurn * contact.rho / contact.count + kSlopeDeviations * slopeDeviation(small);
 }
@@ -80,30 +88,29 @@ void PlaneContinuation::sumContacts() {
     sum.count += contact.count;
     sum.squared_gap += contact.squared_gap;
     sum.rho += contact.rho;
+    sum.step += contact.step;
   }
   contacts_.resize(kept);
 }
 
 void PlaneContinuation::listContacts(const ViewRays& rays, const CandidateGrid& grid,
                                      const std::vector<PlaneCluster>& clusters,
-                                     const std::vector<int>& cluster_at, const DepthTolerance& tolerance) {
+                                     const std::vector<int>& cluster_at, const Parameters& parameters) {
   contacts_.clear();
-  // From each crossing to the next one with a cluster, to the right and down.
-  const auto look = [&](int cell, int step, int count) {
-    for (int gap = 1; gap <= std::min(count, kMaxGap); ++gap) {
-      const int other = cell + gap * step;
+  // From each crossing to the next one with a cluster.
+  const auto look = [&](int cell, int to_right, int below) {
+    for (int gap = 1; gap <= kMaxGap; ++gap) {
+      const int other = grid.cellBeside(cell, gap * to_right, gap * below);
+      if (other < 0) return;
       if (cluster_at[other] < 0) continue;
-      addContact(rays, grid, clusters, cluster_at, tolerance, cell, other);
+      addContact(rays, grid, clusters, cluster_at, parameters, cell, gap * to_right, gap * below);
       return;
     }
   };
-  for (int row = 0; row < grid.rows; ++row) {
-    for (int column = 0; column < grid.columns; ++column) {
-      const int cell = grid.indexOf(column, row);
-      if (cluster_at[cell] < 0) continue;
-      look(cell, 1, grid.columns - 1 - column);
-      look(cell, grid.columns, grid.rows - 1 - row);
-    }
+  for (int cell = 0; cell < grid.crossings(); ++cell) {
+    if (cluster_at[cell] < 0) continue;
+    look(cell, 1, 0);
+    look(cell, 0, 1);
   }
   sumContacts();
 }
@@ -111,8 +118,7 @@ void PlaneContinuation::listContacts(const ViewRays& rays, const CandidateGrid& 
 void PlaneContinuation::find(const ViewRays& rays, const CandidateGrid& grid,
                              const std::vector<PlaneCluster>& clusters, const std::vector<int>& cluster_at,
                              const Parameters& parameters, std::vector<int>& plane_of) {
-  listContacts(rays, grid, clusters, cluster_at,
-               {parameters.noise, parameters.patches.patch_noise_factor, parameters.patches.patch_distance});
+  listContacts(rays, grid, clusters, cluster_at, parameters);
   const auto cluster = [&clusters](int i) -> const PlaneCluster& { return clusters[i]; };
   const auto is_larger = [&cluster](int a, int b) {
     return std::tuple(cluster(a).candidates, -a) > std::tuple(cluster(b).candidates, -b);

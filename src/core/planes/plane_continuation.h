@@ -7,6 +7,7 @@
 #include "depth/depth_image.h"
 #include "line_plane_segmentation/parameters.h"
 #include "planes/crossing_candidates.h"
+#include "planes/depth_step.h"
 #include "planes/plane_clustering.h"
 
 namespace line_plane_segmentation {
@@ -14,8 +15,8 @@ namespace line_plane_segmentation {
 /// Parts of a plane that come out as clusters of their own. Residual sensor distortion bends large planes,
 /// most of all in the corners of the image, so that a part there is another plane, or no plane at all.
 ///
-/// A cluster continues a larger plane if both lie beside each other, agree in depth there, and turn by no
-/// more than distortion and the uncertainty of the smaller one's slope explain.
+/// A cluster continues a larger plane if both lie beside each other, agree in depth there without a step, and
+/// turn by no more than distortion and the uncertainty of the smaller one's slope explain.
 class PlaneContinuation {
  public:
   /// @param cluster_at  index in `clusters` per crossing of the grid, -1 if none
@@ -32,14 +33,15 @@ class PlaneContinuation {
     int count;
     double squared_gap;  ///< [tolerance²] sum of the planes' differences in depth
     double rho;          ///< [1/m] sum of their inverse depths
+    MeanStep step;       ///< from the cluster with the lower index to the other one
   };
 
   void addContact(const ViewRays& rays, const CandidateGrid& grid, const std::vector<PlaneCluster>& clusters,
-                  const std::vector<int>& cluster_at, const DepthTolerance& tolerance, int cell,
-                  int other_cell);
+                  const std::vector<int>& cluster_at, const Parameters& parameters, int cell, int to_right,
+                  int below);
   void listContacts(const ViewRays& rays, const CandidateGrid& grid,
                     const std::vector<PlaneCluster>& clusters, const std::vector<int>& cluster_at,
-                    const DepthTolerance& tolerance);
+                    const Parameters& parameters);
   void sumContacts();
   static bool isContinued(const PlaneCluster& small, const PlaneCluster& large, const Contact& contact);
 

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "planes/depth_step.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace line_plane_segmentation {
+namespace {
+
+constexpr int kMinContacts = 5;
+constexpr double kStandardErrors = 3.0;
+
+// The mean deviation of a candidate's pixels from a plane [1/m].
+double deviationOf(const CrossingCandidate& candidate, const InverseDepthPlane& plane) {
+  const RegressionMoments& m = candidate.moments;
+  return (m.rho - plane.a * m.x - plane.b * m.y) / m.weight - plane.c;
+}
+
+}  // namespace
+
+DepthTolerance stepTolerance(const Parameters& parameters) {
+  return {parameters.noise, parameters.patches.patch_noise_factor,
+          std::max(parameters.extraction.plane_distance, parameters.patches.patch_distance)};
+}
+
+double stepAt(const ClusterContact& contact, const InverseDepthPlane& plane, const InverseDepthPlane& other,
+              const DepthTolerance& tolerance) {
+  const RegressionMoments &m = contact.from->moments, &n = contact.to->moments;
+  const double x = 0.5 * (m.x / m.weight + n.x / n.weight), y = 0.5 * (m.y / m.weight + n.y / n.weight);
+  const double rho = plane.at(x, y), other_rho = other.at(x, y);
+  const double step =
+      other_rho + deviationOf(*contact.behind_to, other) - rho - deviationOf(*contact.behind_from, plane);
+  const double inverse_distance = 0.5 * (plane.inverseDistance() + other.inverseDistance());
+  return step / tolerance.at(0.5 * (rho + other_rho), inverse_distance);
+}
+
+MeanStep& MeanStep::operator+=(const MeanStep& other) {
+  count_ += other.count_;
+  sum_ += other.sum_;
+  squares_ += other.squares_;
+  return *this;
+}
+
+bool MeanStep::isStep() const {
+  if (count_ < kMinContacts) return false;
+  const double mean = sum_ / count_;
+  const double squared_error = std::max(0.0, squares_ / count_ - mean * mean) / (count_ - 1);
+  return std::fabs(mean) > std::max(1.0, kStandardErrors * std::sqrt(squared_error));
+}
+
+}  // namespace line_plane_segmentation
