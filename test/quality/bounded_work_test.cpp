@@ -14,7 +14,7 @@ namespace line_plane_segmentation {
 namespace {
 
 constexpr int kRuns = 2;
-constexpr int kRepetitions = 3;
+constexpr int kRepetitions = 6;
 
 using Kind = PatternKind;
 
