@@ -82,15 +82,15 @@ const SegmentedPlane* planeOnTable(const LabelledFrame& frame, const Segmentatio
 }
 
 TEST_F(RecordedQuality, ofRooms) {
-  expectAtLeast({0.63, 0.67, 0.84, 0.67, 0.83}, evaluateFew(read("rooms"), {}, 2000));
+  expectAtLeast({0.69, 0.725, 0.85, 0.69, 0.845}, evaluateFew(read("rooms"), {}, 2000));
 }
 
 TEST_F(RecordedQuality, ofTheHouse) {
-  expectAtLeast({0.57, 0.585, 0.70, 0.715, 0.85}, evaluateFew(read("house"), {}, 2000));
+  expectAtLeast({0.62, 0.64, 0.745, 0.72, 0.88}, evaluateFew(read("house"), {}, 2000));
 }
 
 TEST_F(RecordedQuality, ofShortRangeScans) {
-  expectAtLeast({0.86, 0.89, 0.92, 0.92, 0.975}, evaluateFew(read("abw"), preset("short_range"), 0));
+  expectAtLeast({0.865, 0.89, 0.92, 0.93, 0.975}, evaluateFew(read("abw"), preset("short_range"), 0));
 }
 
 TEST_F(RecordedQuality, ofTabletops) {

@@ -160,15 +160,15 @@ void expectInRooms(const QualityFigures& floors, double max_curved,
 }
 
 TEST_F(SimulatedQuality, ofSeenRooms) {
-  expectInRooms({0.71, 0.72, 0.80, 0.915, 0.955}, 0.08, seen().frames);
+  expectInRooms({0.72, 0.73, 0.81, 0.92, 0.96}, 0.08, seen().frames);
 }
 
 TEST_F(SimulatedQuality, ofUnseenRoomsThatDecide) {
-  expectInRooms({0.705, 0.715, 0.825, 0.935, 0.935}, 0.10, framesOf(kDecidingRooms));
+  expectInRooms({0.745, 0.755, 0.85, 0.935, 0.95}, 0.10, framesOf(kDecidingRooms));
 }
 
 TEST_F(SimulatedQuality, ofUnseenRoomsThatConfirm) {
-  expectInRooms({0.655, 0.67, 0.78, 0.925, 0.94}, 0.20, framesOf(kConfirmingRooms));
+  expectInRooms({0.67, 0.685, 0.79, 0.925, 0.95}, 0.20, framesOf(kConfirmingRooms));
 }
 
 TEST_F(SimulatedQuality, ofPixelsWherePlanesMeet) {
