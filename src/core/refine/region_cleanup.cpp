@@ -130,49 +130,52 @@ void RegionCleaner::listBordersOfSmall(const LabelRuns& image) {
   }
 }
 
+RegionCleaner::Contact RegionCleaner::contactAt(const Border& border, const LabelRuns& image) {
+  const bool first_is_small = componentOf(border.first).size == kSmall;
+  const int small = first_is_small ? border.first : border.second;
+  const int large = first_is_small ? border.second : border.first;
+  return {componentOf(small), image.runs[large].label};
+}
+
 // A border of so many pixels between a small component and a large one, some of which touch. The small one
 // votes for the label that it may be merged into (Boyer and Moore's vote): one that more than half of the
 // touching pixels have is target_label in the end. Factors stand for branches, which would be mispredicted.
-void RegionCleaner::addContact(const Border& border, int length, int touching, const LabelRuns& image) {
-  const bool first_is_small = componentOf(border.first).size == kSmall;
-  const int small = first_is_small ? border.first : border.second;
-  const int label = image.runs[first_is_small ? border.second : border.first].label;
-  Component& component = componentOf(small);
+void RegionCleaner::vote(const Border& border, int length, int touching, const LabelRuns& image) {
+  const auto [component, label] = contactAt(border, image);
   component.majority_margin -= length;
   const int sign = 2 * static_cast<int>(label == component.target_label) - 1;
   const int vote_count = component.vote_count + sign * touching;
   component.target_label = vote_count < 0 ? label : component.target_label;
   component.vote_count = std::abs(vote_count);
-  contacts_.push_back({component_of_run_[small], touching, label});
+  touching_.push_back(touching);
 }
 
 // Where small components touch large ones.
-void RegionCleaner::findContacts(const DepthImage& depth, const Parameters& parameters,
-                                 const LabelRuns& image) {
-  contacts_.clear();
-  contacts_.reserve(border_count_);
+void RegionCleaner::voteForTargets(const DepthImage& depth, const Parameters& parameters,
+                                   const LabelRuns& image) {
+  touching_.clear();
+  touching_.reserve(border_count_);
   const StepTest step(parameters);
   for (std::size_t k = 0; k < vertical_count_; ++k) {
     const LabelRun &above = image.runs[borders_[k].first], &below = image.runs[borders_[k].second];
     const int first = std::max(above.first, below.first);
     const int length = std::min(above.last, below.last) - first;
-    addContact(borders_[k], length,
-               step.countTouching(depth.row(above.row) + first, depth.row(below.row) + first, length), image);
+    vote(borders_[k], length,
+         step.countTouching(depth.row(above.row) + first, depth.row(below.row) + first, length), image);
   }
   for (std::size_t k = vertical_count_; k < border_count_; ++k) {
     const LabelRun& right = image.runs[borders_[k].second];
     const float* const z = depth.row(right.row) + right.first;
-    addContact(borders_[k], 1, step.touch(z[-1], z[0]), image);
+    vote(borders_[k], 1, step.touch(z[-1], z[0]), image);
   }
 }
 
 // Keeps the target_label of a small component if more than half of its border touches it. Pixels behind a
 // depth step do not touch.
-void RegionCleaner::chooseMergeTargets() {
-  for (const Contact& contact : contacts_) {
-    Component& component = components_[contact.component];
-    component.majority_margin +=
-        2 * contact.length * static_cast<int>(contact.label == component.target_label);
+void RegionCleaner::chooseMergeTargets(const LabelRuns& image) {
+  for (std::size_t k = 0; k < border_count_; ++k) {
+    const auto [component, label] = contactAt(borders_[k], image);
+    component.majority_margin += 2 * touching_[k] * static_cast<int>(label == component.target_label);
   }
   for (Component& component : components_) {
     if (component.majority_margin <= 0) component.target_label = 0;
@@ -242,8 +245,8 @@ int RegionCleaner::clean(const DepthImage& depth, const ViewRays& rays,
   numberComponents(image);
   measureComponents(parameters.cleanup.min_region_pixels, image);
   listBordersOfSmall(image);
-  findContacts(depth, parameters, image);
-  chooseMergeTargets();
+  voteForTargets(depth, parameters, image);
+  chooseMergeTargets(image);
   rejectDistantTargets(depth, rays, clusters, parameters, image);
   const int plane_count =
       renumber(parameters.extraction.min_plane_inliers, static_cast<int>(clusters.size()));

@@ -44,11 +44,10 @@ class RegionCleaner {
   struct Border {
     int first, second;
   };
-  /// Pixels of a small component that touch a large one.
+  /// A small component and the label of the large one that it borders on.
   struct Contact {
-    int component;
-    int length;
-    int label;  ///< of the large one; an int, since storing 16 bits just before they are copied takes long
+    Component& component;
+    int label;
   };
 
   int find(int run);
@@ -64,9 +63,10 @@ class RegionCleaner {
   void numberComponents(const LabelRuns& image);
   void measureComponents(int min_region_pixels, const LabelRuns& image);
   void listBordersOfSmall(const LabelRuns& image);
-  void addContact(const Border& border, int length, int touching, const LabelRuns& image);
-  void findContacts(const DepthImage& depth, const Parameters& parameters, const LabelRuns& image);
-  void chooseMergeTargets();
+  Contact contactAt(const Border& border, const LabelRuns& image);
+  void vote(const Border& border, int length, int touching, const LabelRuns& image);
+  void voteForTargets(const DepthImage& depth, const Parameters& parameters, const LabelRuns& image);
+  void chooseMergeTargets(const LabelRuns& image);
   void rejectDistantTargets(const DepthImage& depth, const ViewRays& rays,
                             const std::vector<PlaneCluster>& clusters, const Parameters& parameters,
                             const LabelRuns& image);
@@ -78,7 +78,7 @@ class RegionCleaner {
   std::vector<Border> borders_;        // the first border_count_ are valid
   std::size_t border_count_ = 0;
   std::size_t vertical_count_ = 0;  // of the borders, which come first: those between two rows
-  std::vector<Contact> contacts_;
+  std::vector<int> touching_;  // per border of a small and a large component: how many of its pixels touch
   std::vector<int> label_pixels_, order_;
   std::vector<std::uint16_t> new_label_;  // of each label
 };
