@@ -97,5 +97,52 @@ TEST(VoteTable, isEmptyWithoutSamples) {
   EXPECT_EQ(0, votes.inView(0));
 }
 
+TEST(VoteTable, countsPointsMoreThanACentimetreAhead) {
+  const auto in_view = [](float z) {
+    VoteTable votes;
+    votes.count({{{0.0F, 0.0F, z}, 0}}, 1, tiles(10), kinectCamera(kWidth, kHeight));
+    return votes.inView(0);
+  };
+  EXPECT_EQ(0, in_view(0.007F));
+  EXPECT_EQ(1, in_view(0.014F));
+}
+
+/// The samples of an image of one plane.
+std::vector<PlaneSample> samplesOf(int width, int height, const CameraIntrinsics& camera,
+                                   const Eigen::Vector3d& normal) {
+  Segmentation image;
+  image.width = width;
+  image.height = height;
+  image.labels.assign(static_cast<std::size_t>(width) * static_cast<std::size_t>(height), 1);
+  SegmentedPlane plane;
+  plane.normal = normal;
+  plane.d = 1.0;
+  image.planes.push_back(plane);
+  std::vector<PlaneSample> samples;
+  std::vector<int> counts;
+  samplePlanes(image, camera, samples, counts);
+  EXPECT_EQ(samples.size(), static_cast<std::size_t>(counts.at(0)));
+  return samples;
+}
+
+TEST(SamplePlanes, takesSome48PointsAcrossTheImage) {
+  for (const int width : {160, 320, 640, 1280}) {
+    const int height = width * 3 / 4;
+    const std::size_t points =
+        samplesOf(width, height, kinectCamera(width, height), -Eigen::Vector3d::UnitZ()).size();
+    EXPECT_GE(points, 45U * 34U) << width;
+    EXPECT_LE(points, 55U * 41U) << width;
+  }
+}
+
+// Where a ray is nearly parallel to a plane, its point on the plane may be anywhere.
+TEST(SamplePlanes, takesNoPointOfAPlaneSeenByItsEdge) {
+  const auto points_at = [](double cosine) {
+    return samplesOf(1, 1, {1.0, 1.0, 0.0, 0.0}, {std::sqrt(1.0 - cosine * cosine), 0.0, -cosine}).size();
+  };
+  EXPECT_EQ(0U, points_at(0.0007));
+  EXPECT_EQ(1U, points_at(0.0015));
+}
+
 }  // namespace
 }  // namespace line_plane_segmentation
