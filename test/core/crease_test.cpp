@@ -93,5 +93,30 @@ TEST(Creases, OfNothingIsNothing) {
   EXPECT_EQ(creases.between(0, 0), CreaseType::kNone);
 }
 
+/// The edge of two walls with one candidate each in `rows` rows, `columns_apart` columns apart.
+CreaseType foldOf(int rows, int columns_apart) {
+  Found corner(walls(0.6, -0.6));
+  const CandidateGrid& grid = corner.grid;
+  const int left = (grid.columns - columns_apart) / 2;
+  const std::vector<int> all = corner.cluster_at;
+  std::vector<int> few(all.size(), -1);
+  for (int row = 0; row < rows; ++row) {
+    for (const int column : {left, left + columns_apart}) {
+      const int cell = grid.indexOf(column, row);
+      EXPECT_GE(grid.candidate_at[static_cast<std::size_t>(cell)], 0);
+      few[static_cast<std::size_t>(cell)] = column == left ? corner.at(40, 120) : corner.at(280, 120);
+    }
+  }
+  corner.creases.find(corner.rays, grid, corner.clusters, few);
+  return corner.creases.between(0, 1);
+}
+
+TEST(Creases, NeedTenVotesOfCandidatesAtMostTwoCrossingsApart) {
+  EXPECT_EQ(foldOf(4, 1), CreaseType::kNone) << "eight votes: each of two candidates has one";
+  EXPECT_NE(foldOf(5, 1), CreaseType::kNone);
+  EXPECT_NE(foldOf(5, 2), CreaseType::kNone);
+  EXPECT_EQ(foldOf(20, 3), CreaseType::kNone);
+}
+
 }  // namespace
 }  // namespace line_plane_segmentation

@@ -206,5 +206,12 @@ TEST(DepthView, EmptyViews) {
   EXPECT_EQ(untouched, -1.0F);
 }
 
+TEST(LoadRow, ReadsDepthBelowAMicrometreAsInvalid) {
+  const std::vector<float> pixels = {0.7e-6F, 1.5e-6F};
+  std::vector<float> depth(2);
+  EXPECT_EQ(loadRow(viewOf(pixels.data(), 2, 1), 0, kWide, depth.data()), 1);
+  EXPECT_EQ(depth, (std::vector<float>{0.0F, 1.5e-6F}));
+}
+
 }  // namespace
 }  // namespace line_plane_segmentation

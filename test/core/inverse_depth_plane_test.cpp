@@ -172,5 +172,22 @@ TEST(RegressionMoments, NeedPixelsThatFixAPlane) {
   EXPECT_TRUE(isDegenerate(row.moments()));
 }
 
+// Four pixels on a diagonal of the image, except for a fraction of their variance.
+TEST(RegressionMoments, NeedABillionthOfTheVarianceAcross) {
+  const auto is_degenerate = [](double fraction) {
+    const double side = 0.5 * std::sqrt(fraction);
+    RegressionMoments moments;
+    for (const double along : {-1.0, 1.0}) {
+      for (const double across : {-side, side}) {
+        const double x = along + across, y = along - across;
+        moments += {x * x, x * y, y * y, x, y, 1.0, x, y, 1.0, 1.0, 1.0};
+      }
+    }
+    return isDegenerate(moments);
+  };
+  EXPECT_TRUE(is_degenerate(0.7e-9));
+  EXPECT_FALSE(is_degenerate(1.5e-9));
+}
+
 }  // namespace
 }  // namespace line_plane_segmentation

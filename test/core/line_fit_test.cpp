@@ -223,5 +223,17 @@ TEST(Mahalanobis, TakesTheShortWayRound) {
   EXPECT_NEAR(mahalanobis(across, line), mahalanobis(beyond, line), 1e-9);
 }
 
+// Seen edge-on, the depth's noise moves points along the line. Across it, the width of the pixels remains.
+TEST(FitLine, HasErrorsOfAtLeastATwentiethOfTheDepthsNoise) {
+  constexpr int kPoints = 20;
+  const auto error_at = [](double facing) {
+    std::vector<ScanPoint> points;
+    for (int i = 0; i < kPoints; ++i) points.push_back({i, 2.0 * facing, 0.01 * i, 2.0});
+    return 1.0 / std::sqrt(fit(points).information_rr / kPoints) / kNoise.sigma(2.0);
+  };
+  EXPECT_NEAR(error_at(0.08), 0.08, 1e-6);
+  EXPECT_NEAR(error_at(0.03), 0.05, 1e-6);
+}
+
 }  // namespace
 }  // namespace line_plane_segmentation

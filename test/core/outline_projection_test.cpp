@@ -109,5 +109,18 @@ TEST(OutlineProjectionTest, NoRingsWhereNumbersOverflow) {
   EXPECT_TRUE(s.rings.empty());
 }
 
+TEST(OutlineProjectionTest, APlaneNearerThanAMicrometreIsNotVisible) {
+  EXPECT_FALSE(PlaneProjection(kCamera, planeOf({0.0, 0.0, -1.0}, 0.7e-6), 640, 480).isVisible());
+  EXPECT_TRUE(PlaneProjection(kCamera, planeOf({0.0, 0.0, -1.0}, 1.5e-6), 640, 480).isVisible());
+}
+
+TEST(OutlineProjectionTest, AVertexIsAtMost100TimesAsDeepAsThePlaneIsFar) {
+  const PlaneProjection projection(kCamera, planeOf({0.0, -1.0, 0.0}, 0.3), 640, 480);
+  std::vector<Eigen::Vector3f> vertices;
+  ASSERT_TRUE(projection.project({{-0.5, -0.5}, {-0.5, 479.5}, {639.5, 479.5}, {639.5, -0.5}}, vertices));
+  const auto is_nearer = [](const auto& a, const auto& b) { return a.z() < b.z(); };
+  EXPECT_NEAR(std::max_element(vertices.begin(), vertices.end(), is_nearer)->z(), 30.0, 0.01);
+}
+
 }  // namespace
 }  // namespace line_plane_segmentation

@@ -143,5 +143,23 @@ TEST(Resolve, TakesWindowPointsFromAGivenWindow) {
   EXPECT_EQ(resolve(given, 640).candidates.min_window_points, 60);
 }
 
+TEST(Resolve, GivesTheDefaultsOfTheDefaultMethod) {
+  const auto values_at = [](int width) {
+    const Parameters p = adaptiveParameters(width);
+    return std::vector<int>{p.scanlines.scanline_spacing, p.lines.line_window, p.lines.min_line_points,
+                            p.extraction.min_plane_inliers, p.cleanup.min_region_pixels};
+  };
+  EXPECT_EQ(values_at(640), (std::vector<int>{12, 6, 3, 2300, 400}));
+  EXPECT_EQ(values_at(320), (std::vector<int>{10, 5, 2, 575, 100}));
+}
+
+TEST(Resolve, HasLeastLengthsInTinyImages) {
+  const Parameters p = adaptiveParameters(20);
+  EXPECT_EQ(p.scanlines.scanline_spacing, 4);
+  EXPECT_EQ(p.lines.line_window, 3);
+  EXPECT_EQ(p.lines.min_line_points, 2);
+  EXPECT_EQ(paperParameters(20).candidates.normal_window, 6);
+}
+
 }  // namespace
 }  // namespace line_plane_segmentation

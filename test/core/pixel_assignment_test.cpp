@@ -241,6 +241,7 @@ TEST(PixelAssigner, JoinsOverASpeckleNearThePlane) {
   EXPECT_EQ(labelOfMovedPixels(1.5, kMaxSpeckle), 1) << "a speckle";
   EXPECT_EQ(labelOfMovedPixels(1.5, kMaxSpeckle + 1), 0) << "too wide for a speckle";
   EXPECT_EQ(labelOfMovedPixels(5.0, kMaxSpeckle), 0) << "too far off for a speckle";
+  EXPECT_EQ(labelOfMovedPixels(2.5, kMaxSpeckle), 0) << "more than two tolerances";
   for (const std::vector<double>& speckle :
        {std::vector<double>{5.0, 1.5, 1.5}, {1.5, 5.0, 1.5}, {1.5, 1.5, 5.0}})
     EXPECT_EQ(labelOfMovedPixels(speckle), 0) << "one of its pixels is";
@@ -259,6 +260,29 @@ TEST(PixelAssigner, OfNoPlanesOrNoDepthGivesNoLabels) {
   const Assignment no_grid(render(surfaceAt(1.5), kinectCamera(2, 2), 2, 2), adaptiveParameters(320),
                            assigner);
   EXPECT_EQ(std::count(no_grid.labels.begin(), no_grid.labels.end(), 0), 4);
+}
+
+/// Two walls meet in a blunt edge. Pixels of the left one, from `nearest` to `farthest` beside the edge, are
+/// moved into the plane of the right one.
+/// @return whether these pixels are labelled as the left wall
+bool isLeftWall(int nearest, int farthest) {
+  const Surface left = surfaceAt(1.8, 0.15), right = surfaceAt(1.8, -0.15);
+  const CameraIntrinsics camera = kinectCamera(320, 240);
+  PixelAssigner assigner;
+  Assignment assignment(halves(left, right, camera, 320, 240), adaptiveParameters(320), assigner);
+  EXPECT_EQ(assignment.clusters.size(), 2U);
+  paint(right, camera, {160 - farthest, 161 - nearest, 100, 101}, assignment.depth);
+  assignment.assign(assigner);
+  const auto labels = assignment.labels.begin() + static_cast<std::ptrdiff_t>(assignment.depth.index(0, 100));
+  const std::uint16_t label = labels[20];
+  EXPECT_EQ(labels[160 - nearest] == label, labels[160 - farthest] == label);
+  return labels[160 - nearest] == label;
+}
+
+// Half a tolerance along the ray is four to five pixels here.
+TEST(PixelAssigner, SplitsAtACreaseWithinHalfATolerance) {
+  EXPECT_TRUE(isLeftWall(1, 4));
+  EXPECT_FALSE(isLeftWall(6, 9));
 }
 
 }  // namespace

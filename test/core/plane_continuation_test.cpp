@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstddef>
 #include <cstdlib>
 #include <vector>
@@ -92,6 +93,72 @@ TEST(PlaneContinuation, WhatIsNoPlaneContinuesALargerOneOrNone) {
   EXPECT_EQ(image.find(), (Planes{0, -1})) << "the larger one is no plane";
   image.clusters[0].is_plane = false;
   EXPECT_EQ(image.find(), (Planes{-1, -1}));
+}
+
+constexpr int kBorder = 200;  // [px] first column of the smaller cluster
+
+/// Two clusters, whose left one is of a wall 2 m away and the larger.
+struct TwoParts : TwoClusters {
+  explicit TwoParts(const Surface& right = surfaceAt(2.0)) : TwoClusters(imageOf(right), kBorder) {}
+
+  static DepthImage imageOf(const Surface& right) {
+    DepthImage depth = render(surfaceAt(2.0), kCamera, kWidth, kHeight);
+    paint(right, kCamera, {kBorder, kWidth, 0, kHeight}, depth);
+    return depth;
+  }
+  bool isContinued() { return find() == Planes{0, 0}; }
+};
+
+/// Whether the smaller cluster continues the larger one, if they differ by `tolerances`.
+bool isContinuedAcrossGap(double tolerances) {
+  TwoParts parts;
+  const Parameters p = adaptiveParameters(kWidth);
+  const DepthTolerance tolerance{p.noise, p.patches.patch_noise_factor, p.patches.patch_distance};
+  parts.clusters[1].plane.c += tolerances * tolerance.at(0.5, 0.5);
+  return parts.isContinued();
+}
+
+TEST(PlaneContinuation, MayDifferByTwoTolerances) {
+  EXPECT_TRUE(isContinuedAcrossGap(1.6));
+  EXPECT_FALSE(isContinuedAcrossGap(2.5));
+}
+
+/// The same if the smaller cluster turns away where both meet.
+/// @param turn  [-] change of relative depth per unit of the tangent of the view angle
+/// @param deviation  standard deviation of its slope, in the same unit
+bool isContinuedAtTurn(double turn, double deviation) {
+  const double rho = 0.5, slope = turn * rho, x_border = (kBorder - 0.5 - kCamera.cx) / kCamera.fx;
+  const Eigen::Vector3d coefficients(slope, 0.0, rho - slope * x_border);
+  TwoParts parts({-coefficients.normalized(), 1.0 / coefficients.norm()});
+  PlaneCluster& cluster = parts.clusters[1];
+  // Twelve pixels share an error.
+  const RegressionMoments& m = cluster.moments;
+  const double cxx = m.xx - m.x * m.x / m.weight, cyy = m.yy - m.y * m.y / m.weight;
+  const double cxy = m.xy - m.x * m.y / m.weight;
+  cluster.squared_error =
+      std::pow(deviation * rho, 2) * (cxx * cyy - cxy * cxy) / (cxx + cyy) * m.pixels / 12.0;
+  return parts.isContinued();
+}
+
+TEST(PlaneContinuation, MayTurnByAFifthAndTwoStandardDeviations) {
+  EXPECT_TRUE(isContinuedAtTurn(0.15, 0.0));
+  EXPECT_FALSE(isContinuedAtTurn(0.27, 0.0));
+  EXPECT_TRUE(isContinuedAtTurn(0.27, 0.05)) << "up to 0.3";
+  EXPECT_FALSE(isContinuedAtTurn(0.35, 0.05));
+}
+
+TEST(PlaneContinuation, GoesOverThreeCrossingsThatAreInNeither) {
+  const auto is_continued_over = [](int crossings) {
+    TwoParts parts;
+    const CandidateGrid& grid = parts.grid;
+    for (int row = 0; row < grid.rows; ++row) {
+      for (int column = 20; column < 20 + crossings; ++column)
+        parts.cluster_at[static_cast<std::size_t>(grid.indexOf(column, row))] = -1;
+    }
+    return parts.isContinued();
+  };
+  EXPECT_TRUE(is_continued_over(3));
+  EXPECT_FALSE(is_continued_over(4));
 }
 
 TEST(PlaneContinuation, NothingIsSaidOfClustersApart) {

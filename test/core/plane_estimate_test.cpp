@@ -68,7 +68,7 @@ TEST(EstimatePlane, HasACovarianceOfTheShapeThatRepeatedNoiseGives) {
   // Here pixels share no errors. The factor for those that do is the same in each direction in which a plane
   // can move.
   const double factor = predicted(3, 3) / sampled(3, 3);
-  EXPECT_GE(factor, 1.0);
+  EXPECT_NEAR(factor, 3.5, 0.5) << "3.5 candidates count as one";
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix4d> solver(predicted);
   for (int i = 1; i < 4; ++i) {
     const Eigen::Vector4d axis = solver.eigenvectors().col(i);
@@ -87,6 +87,28 @@ TEST(EstimatePlane, HasACovarianceThatIsSingularAlongTheNormalOnly) {
   const Eigen::Vector4d eigenvalues =
       Eigen::SelfAdjointEigenSolver<Eigen::Matrix4d>(estimate.covariance).eigenvalues();
   EXPECT_GT(eigenvalues[1], 1e-6 * eigenvalues[3]);
+}
+
+/// The variance of d of a plane 2 m ahead, in squared tolerances of a pixel, from candidates that lie in it.
+/// The pixels deviate by one tolerance.
+double varianceOfDistance(int candidates) {
+  constexpr double kPixels = 1000.0;
+  PlaneCluster cluster;
+  for (int i = 0; i < candidates; ++i) {
+    const double angle = 2.0 * M_PI * i / candidates, x = std::cos(angle), y = std::sin(angle);
+    cluster.means += {x * x, x * y, y * y, x, y, 1.0, 0.5 * x, 0.5 * y, 0.5, 0.25, 1.0};
+  }
+  cluster.plane = {0.0, 0.0, 0.5};
+  cluster.candidates = candidates;
+  cluster.moments.pixels = kPixels;
+  cluster.squared_error = kPixels - 3.0;
+  // An error of 1 / d is one of d times d². All pixels have the same weight.
+  return estimatePlane(cluster).covariance(3, 3) / std::pow(2.0, 4) * kPixels;
+}
+
+TEST(EstimatePlane, TakesTheVarianceOfFewCandidatesFromTheirPixels) {
+  EXPECT_NEAR(varianceOfDistance(3), 12.0, 0.01) << "twelve pixels count as one";
+  EXPECT_NEAR(varianceOfDistance(7), 6.0, 0.01) << "four degrees of freedom weigh as much as the pixels";
 }
 
 TEST(EstimateFromPixels, FitsANarrowStripAlongTheRaysAndTrustsFewPixels) {

@@ -155,5 +155,17 @@ TEST(PlaneCovariance, GoesWithTheSquareOfTheNoise) {
   EXPECT_EQ(plane.covariance(momentsOf(points), 0.0).norm(), 0.0);
 }
 
+// Four points on a line, except for a fraction of their variance.
+TEST(FitPlane, NeedsABillionthOfTheVarianceAcross) {
+  const auto is_fitted = [](double fraction) {
+    const double side = std::sqrt(fraction);
+    PlaneFit plane;
+    return fitPlane(momentsOf({{1.0, side, 0.0}, {1.0, -side, 0.0}, {-1.0, side, 0.0}, {-1.0, -side, 0.0}}),
+                    plane);
+  };
+  EXPECT_FALSE(is_fitted(0.7e-9));
+  EXPECT_TRUE(is_fitted(1.5e-9));
+}
+
 }  // namespace
 }  // namespace line_plane_segmentation

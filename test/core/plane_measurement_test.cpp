@@ -192,5 +192,16 @@ TEST(PlaneMeasurement, OfNoLabelsIsEmpty) {
   EXPECT_TRUE(no_pixels.measure(0).empty());
 }
 
+TEST(PlaneMeasurement, DropsAPlaneThroughTheCamera) {
+  const auto planes_at = [](double sine) {
+    LabelledImage image(render(surfaceAt(2.0), kinectCamera(60, 40), 60, 40));
+    image.paintLabel(1, {20, 40, 10, 30});
+    const PlaneEstimate estimate = {-Eigen::Vector3d::UnitZ(), 2.0 * sine, Eigen::Matrix4d::Zero()};
+    return image.measure(1, 0.0, {estimate}).size();
+  };
+  EXPECT_EQ(planes_at(0.7e-6), 0U);
+  EXPECT_EQ(planes_at(1.5e-6), 1U);
+}
+
 }  // namespace
 }  // namespace line_plane_segmentation
