@@ -68,6 +68,24 @@ TEST(HoleFiller, LeavesADenseImageAndItsShadowsAsTheyAre) {
   EXPECT_EQ(depth.z, before.z);
 }
 
+/// Whether an image with one missing pixel in each `across` by `down` pixels is filled.
+bool isFilled(int across, int down) {
+  DepthImage depth = render(surfaceAt(1.5), kCamera, kWidth, kHeight);
+  for (int v = 0; v < kHeight; v += down) {
+    for (int u = 0; u < kWidth; u += across) depth.row(v)[u] = 0.0F;
+  }
+  return HoleFiller().fill(adaptiveParameters(kWidth), depth);
+}
+
+TEST(HoleFiller, FillsAnImageWithAHoleIn32PixelsOfARow) {
+  EXPECT_TRUE(isFilled(24, 1));
+  EXPECT_FALSE(isFilled(42, 1));
+}
+
+TEST(HoleFiller, DetectsALatticeOfAnyPeriod) {
+  for (const int period : {2, 3, 5}) EXPECT_TRUE(isFilled(period, period)) << period;
+}
+
 TEST(HoleFiller, DoesNotFillAcrossAStep) {
   DepthImage depth = latticed(halves(surfaceAt(1.5), surfaceAt(1.9), kCamera, kWidth, kHeight), 8);
   ASSERT_EQ(depth.at(160, 100), 0.0F) << "the step is in a hole";
@@ -194,6 +212,20 @@ TEST(SizesInTheView, FollowTheAngleThatAPixelSees) {
     EXPECT_EQ(planes_of(height, width, focal_length), 2U) << focal_length << ", turned";
   }
   EXPECT_EQ(planes_of(848, 480, 425.0), 2U);
+}
+
+// Lengths in pixels grow with the focal length, at most to those of an image that is 1.2 times as wide as
+// this one's diagonal.
+TEST(SizesInTheView, AreBoundedForALongFocalLength) {
+  CameraIntrinsics camera = kinectCamera(640, 480);
+  camera.fx = camera.fy = 5250.0;
+  const std::vector<std::uint16_t> pixels(640 * 480, 1500);
+  PlaneSegmenter segmenter;
+  segmenter.segment(viewOf(pixels.data(), 640, 480), camera);
+  const auto is_row = [](const LineSegment& line) { return line.direction == ScanDirection::kRow; };
+  const std::vector<LineSegment>& lines = segmenter.lineSegments();
+  // Of 960 pixels: one row in 18 is scanned.
+  EXPECT_EQ(std::count_if(lines.begin(), lines.end(), is_row), 27);
 }
 
 }  // namespace

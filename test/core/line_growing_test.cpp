@@ -103,6 +103,25 @@ TEST(WindowSummer, MovesScanlinesOffMissingRowsAndColumns) {
   for (const int v : dense.rows.pixels) EXPECT_EQ(v % 10, 5);
 }
 
+/// The first row that is scanned, if only a fraction of the pixels is valid in the row that is due.
+int firstRowOf(int spacing, double fraction) {
+  DepthImage depth = render(surfaceAt(1.5), kCamera, kWidth, kHeight);
+  std::fill_n(depth.row(spacing / 2), static_cast<int>((1.0 - fraction) * kWidth), 0.0F);
+  ScanlineSet rows, columns;
+  WindowSummer().sum(depth, kRays, spacing, 5, rows, columns);
+  return rows.pixels.front();
+}
+
+TEST(WindowSummer, MovesARowToWhereTwiceAsManyPixelsAreValid) {
+  EXPECT_EQ(firstRowOf(10, 0.6), 5);
+  EXPECT_EQ(firstRowOf(10, 0.4), 4);
+}
+
+TEST(WindowSummer, MovesNoRowTowardsOneThatIsScanned) {
+  EXPECT_EQ(firstRowOf(2, 0.1), 1);
+  EXPECT_EQ(firstRowOf(3, 0.1), 0);
+}
+
 TEST(LineGrower, GrowsOneSegmentPerScanlineOfAPlane) {
   const Lines lines(noisy(render(surfaceAt(2.0, 0.5, -0.3), kCamera, kWidth, kHeight), 1.0));
   EXPECT_EQ(lines.rows.segments.size(), static_cast<std::size_t>(lines.rows.count()));
