@@ -182,6 +182,23 @@ TEST(OutlineTest, ToleranceSmoothesStairs) {
   EXPECT_EQ(traced(picture, parameters).vertices.size(), 4U);
 }
 
+/// A part whose lower border has a step of a pixel, and another part whose corner is at the step.
+/// @return the number of the first part's vertices
+int verticesWithStep(std::size_t before, std::size_t after) {
+  std::vector<std::string> picture(3, std::string(before + after, '1'));
+  picture.push_back(std::string(before, '.') + std::string(after, '1'));
+  picture.insert(picture.end(), 4, std::string(before, '1') + std::string(after, '.'));
+  OutlineParameters parameters = fullDetail();
+  parameters.outline_tolerance = 1.0;
+  return traced(picture, parameters).rings.at(0).vertex_count;
+}
+
+// An edge in place of the step would pass the corner by 3 / 7 or by 2 / 9 of a pixel in x and in y.
+TEST(OutlineTest, EdgesKeepAwayFromCornersByThreeTenthsOfAPixel) {
+  EXPECT_EQ(verticesWithStep(3, 3), 4);
+  EXPECT_EQ(verticesWithStep(6, 2), 5);
+}
+
 TEST(OutlineTest, WhatSticksOutBeyondTheEndOfAnEdgeIsKept) {
   // The tip on the left is near the line through the two ends of the figure, but far from both.
   std::vector<std::string> picture(8, std::string(28, '.') + std::string(23, '1'));
