@@ -97,6 +97,10 @@ TEST(MeanStep, OfPartsIsThatOfAll) {
   EXPECT_FALSE(sum.isStep());
   sum += meanOf({2.0, 2.5, 1.0});
   EXPECT_TRUE(sum.isStep());
+  sum = meanOf({1.5, 1.5, 1.5, 1.5, 1.5});
+  EXPECT_TRUE(sum.isStep());
+  sum += meanOf({9.0, -4.0, 9.0, -4.0, 9.0});
+  EXPECT_FALSE(sum.isStep()) << "the second part disagrees";
 }
 
 TEST(StepTolerance, IsTheNoiseOrThePlaneDistance) {

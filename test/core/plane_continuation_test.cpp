@@ -20,15 +20,17 @@ namespace {
 constexpr int kWidth = 320, kHeight = 240;
 const CameraIntrinsics kCamera = kinectCamera(kWidth, kHeight);
 
-/// An image whose candidates left of a column are one cluster, those right of it another.
+/// An image whose candidates in some columns are the second cluster, the others the first.
 struct TwoClusters : CandidateImage {
   std::vector<PlaneCluster> clusters{2};
   std::vector<int> cluster_at, plane_of;
 
-  TwoClusters(const DepthImage& depth, int border) : CandidateImage(depth, adaptiveParameters(kWidth)) {
+  template <typename Predicate>
+  TwoClusters(const DepthImage& depth, Predicate&& is_second)
+      : CandidateImage(depth, adaptiveParameters(kWidth)) {
     cluster_at.assign(grid.candidate_at.size(), -1);
     for (const CrossingCandidate& candidate : grid.candidates) {
-      const std::size_t index = candidate.u < border ? 0 : 1;
+      const std::size_t index = is_second(candidate.u) ? 1 : 0;
       cluster_at[static_cast<std::size_t>(candidate.cell)] = static_cast<int>(index);
       PlaneCluster& cluster = clusters[index];
       cluster.moments += candidate.moments;
@@ -49,7 +51,7 @@ TwoClusters clustersOf(const Surface& left, const Surface& right, int border) {
   DepthImage depth = halves(left, right, kCamera, kWidth, kHeight);
   Random random(3);
   addNoise({}, 1.0, random, depth);
-  return {depth, border};
+  return {depth, [border](int u) { return u >= border; }};
 }
 
 using Planes = std::vector<int>;
@@ -78,6 +80,16 @@ TEST(PlaneContinuation, TwoPlanesAreASmallStepApart) {
   EXPECT_EQ(image.find(), (Planes{0, 1}));
 }
 
+// The steps on both sides of a stripe have the same sign, whichever side the scanline comes from.
+TEST(PlaneContinuation, AStripeStandsASmallStepBack) {
+  DepthImage depth = render(surfaceAt(3.5), kCamera, kWidth, kHeight);
+  paint(surfaceAt(3.55), kCamera, {120, 200, 0, kHeight}, depth);
+  Random random(3);
+  addNoise({}, 1.0, random, depth);
+  TwoClusters image(depth, [](int u) { return u >= 120 && u < 200; });
+  EXPECT_EQ(image.find(), (Planes{0, 1}));
+}
+
 TEST(PlaneContinuation, TheSmallerContinuesTheLarger) {
   TwoClusters image = clustersOf(surfaceAt(2.0), surfaceAt(2.0), 100);
   ASSERT_LT(image.clusters[0].candidates, image.clusters[1].candidates);
@@ -99,7 +111,8 @@ constexpr int kBorder = 200;  // [px] first column of the smaller cluster
 
 /// Two clusters, whose left one is of a wall 2 m away and the larger.
 struct TwoParts : TwoClusters {
-  explicit TwoParts(const Surface& right = surfaceAt(2.0)) : TwoClusters(imageOf(right), kBorder) {}
+  explicit TwoParts(const Surface& right = surfaceAt(2.0))
+      : TwoClusters(imageOf(right), [](int u) { return u >= kBorder; }) {}
 
   static DepthImage imageOf(const Surface& right) {
     DepthImage depth = render(surfaceAt(2.0), kCamera, kWidth, kHeight);

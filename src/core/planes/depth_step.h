@@ -12,15 +12,15 @@ DepthTolerance stepTolerance(const Parameters& parameters);
 
 /// Where two clusters of candidates meet on a scanline.
 struct ClusterContact {
-  /// The candidate on either side of the border.
+  /// The candidates on both sides of the border.
   const CrossingCandidate *from, *to;
-  /// The next one on either side that is in the same cluster, or again the same: windows beside the border
-  /// may lie across it.
+  /// The next candidates away from the border if they are in the same clusters, otherwise `from` and `to`:
+  /// the windows of those may lie across the border.
   const CrossingCandidate *behind_from, *behind_to;
 };
 
-/// [crossings] The candidates at a contact are at most so far apart: between them, one may be missing whose
-/// windows lie across the border.
+/// Largest distance between the two candidates at a contact [crossings]. At the crossing between them, no
+/// candidate or one of a third cluster may be, if its windows lie across the border.
 constexpr int kMaxContactDistance = 2;
 
 /// The contact of the clusters at two crossings of a scanline.
@@ -38,8 +38,9 @@ ClusterContact contactBetween(const CandidateGrid& grid, int from, int to, int t
 }
 
 /// The step from one plane to another at a contact of their clusters [tolerances], positive if the other one
-/// is nearer. The planes are compared halfway between both candidates, each moved by the deviation of its
-/// cluster there: distortion bends a surface away from its plane, but makes no step.
+/// is nearer. `plane` is that of the cluster of `from`, `other` that of `to`. The planes are compared halfway
+/// between both candidates, each moved by the deviation of its cluster there: distortion bends a surface away
+/// from its plane, but makes no step.
 double stepAt(const ClusterContact& contact, const InverseDepthPlane& plane, const InverseDepthPlane& other,
               const DepthTolerance& tolerance);
 

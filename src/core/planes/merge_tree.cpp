@@ -131,13 +131,16 @@ int MergeTree::clusterAt(int cell) {
 }
 
 // Adds the steps from a candidate of the root a to those of the root b that come next on its scanlines.
+// Between them may be one that belongs to neither, since its windows lie across the border.
 void MergeTree::addContacts(int candidate, int a, int b, MeanStep& steps) {
   static constexpr std::array<std::array<int, 2>, 4> kDirections = {{{1, 0}, {0, 1}, {-1, 0}, {0, -1}}};
   const int from = grid_->candidates[candidate].cell;
   for (const auto& [right, down] : kDirections) {
-    int to = grid_->cellBeside(from, right, down);
-    for (int distance = 2; distance <= kMaxContactDistance && clusterAt(to) < 0; ++distance)
+    int to = -1;
+    for (int distance = 1; distance <= kMaxContactDistance; ++distance) {
       to = grid_->cellBeside(from, right * distance, down * distance);
+      if (clusterAt(to) == a || clusterAt(to) == b) break;
+    }
     if (clusterAt(to) != b) continue;
     const ClusterContact contact =
         contactBetween(*grid_, from, to, right, down, [this](int cell) { return clusterAt(cell); });

@@ -137,9 +137,10 @@ RegionCleaner::Contact RegionCleaner::contactAt(const Border& border, const Labe
   return {componentOf(small), image.runs[large].label};
 }
 
-// A border of so many pixels between a small component and a large one, some of which touch. The small one
-// votes for the label that it may be merged into (Boyer and Moore's vote): one that more than half of the
-// touching pixels have is target_label in the end. Factors stand for branches, which would be mispredicted.
+// Takes the votes of a border between a small component and a large one, in which some pixels touch. The
+// small one votes for the label that it may be merged into (Boyer and Moore's vote): one that more than half
+// of its touching pixels have is target_label in the end. Factors stand for branches, which would be
+// mispredicted.
 void RegionCleaner::vote(const Border& border, int length, int touching, const LabelRuns& image) {
   const auto [component, label] = contactAt(border, image);
   component.majority_margin -= length;
