@@ -56,10 +56,8 @@ struct PartOfWall {
   }
 };
 
-PartOfWall part() { return {}; }
-
 TEST(JoinParts, NeedsThreeInFiveOfThePointsInThePlane) {
-  PartOfWall most = part(), half = part();
+  PartOfWall most, half;
   most.in_plane = 7;
   most.elsewhere = 3;
   half.in_plane = half.elsewhere = 5;
@@ -68,7 +66,7 @@ TEST(JoinParts, NeedsThreeInFiveOfThePointsInThePlane) {
 }
 
 TEST(JoinParts, NeedsTwoPoints) {
-  PartOfWall two = part(), one = part();
+  PartOfWall two, one;
   two.in_plane = 2;
   one.in_plane = 1;
   EXPECT_TRUE(two.isJoined());
@@ -76,7 +74,7 @@ TEST(JoinParts, NeedsTwoPoints) {
 }
 
 TEST(JoinParts, NeedsTheDirectionOfThePlane) {
-  PartOfWall alike = part(), turned = part();
+  PartOfWall alike, turned;
   alike.angle = 0.08;
   turned.angle = 0.13;
   EXPECT_TRUE(alike.isJoined());
@@ -84,7 +82,7 @@ TEST(JoinParts, NeedsTheDirectionOfThePlane) {
 }
 
 TEST(JoinParts, NeedsPointsWithinTwoPercentOfTheDepth) {
-  PartOfWall near = part(), far = part();
+  PartOfWall near, far;
   near.distance = 0.03;
   far.distance = 0.055;
   EXPECT_TRUE(near.isJoined());

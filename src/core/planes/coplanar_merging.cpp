@@ -59,9 +59,7 @@ bool CoplanarMerger::isSameDepthBetween(Pixel from, Pixel to, const InverseDepth
                                         const DepthTolerance& tolerance) {
   const double x = 0.5 * (static_cast<double>(rays.x[from.u]) + static_cast<double>(rays.x[to.u]));
   const double y = 0.5 * (static_cast<double>(rays.y[from.v]) + static_cast<double>(rays.y[to.v]));
-  const double rho = plane.at(x, y), other_rho = other.at(x, y);
-  const double inverse_distance = 0.5 * (plane.inverseDistance() + other.inverseDistance());
-  return std::fabs(rho - other_rho) < tolerance.at(0.5 * (rho + other_rho), inverse_distance);
+  return std::fabs(differenceAt(x, y, plane, other, tolerance)) < 1.0;
 }
 
 void CoplanarMerger::listPairs(const MergeTree& tree, const std::vector<int>& planes, double limit) {

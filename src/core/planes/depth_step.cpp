@@ -10,10 +10,10 @@ namespace {
 constexpr int kMinContacts = 5;
 constexpr double kStandardErrors = 3.0;
 
-// The mean deviation of a candidate's pixels from a plane [1/m].
-double deviationOf(const CrossingCandidate& candidate, const InverseDepthPlane& plane) {
-  const RegressionMoments& m = candidate.moments;
-  return (m.rho - plane.a * m.x - plane.b * m.y) / m.weight - plane.c;
+// A plane moved to the depth of a candidate of its cluster.
+InverseDepthPlane moved(InverseDepthPlane plane, const CrossingCandidate& candidate) {
+  plane.c += candidate.moments.meanDeviation(plane);
+  return plane;
 }
 
 }  // namespace
@@ -23,15 +23,18 @@ DepthTolerance stepTolerance(const Parameters& parameters) {
           std::max(parameters.extraction.plane_distance, parameters.patches.patch_distance)};
 }
 
+double differenceAt(double x, double y, const InverseDepthPlane& plane, const InverseDepthPlane& other,
+                    const DepthTolerance& tolerance) {
+  const double rho = plane.at(x, y), other_rho = other.at(x, y);
+  const double inverse_distance = 0.5 * (plane.inverseDistance() + other.inverseDistance());
+  return (other_rho - rho) / tolerance.at(0.5 * (rho + other_rho), inverse_distance);
+}
+
 double stepAt(const ClusterContact& contact, const InverseDepthPlane& plane, const InverseDepthPlane& other,
               const DepthTolerance& tolerance) {
   const RegressionMoments &m = contact.from->moments, &n = contact.to->moments;
   const double x = 0.5 * (m.x / m.weight + n.x / n.weight), y = 0.5 * (m.y / m.weight + n.y / n.weight);
-  const double rho = plane.at(x, y), other_rho = other.at(x, y);
-  const double step =
-      other_rho + deviationOf(*contact.behind_to, other) - rho - deviationOf(*contact.behind_from, plane);
-  const double inverse_distance = 0.5 * (plane.inverseDistance() + other.inverseDistance());
-  return step / tolerance.at(0.5 * (rho + other_rho), inverse_distance);
+  return differenceAt(x, y, moved(plane, *contact.behind_from), moved(other, *contact.behind_to), tolerance);
 }
 
 MeanStep& MeanStep::operator+=(const MeanStep& other) {

@@ -10,6 +10,11 @@ namespace line_plane_segmentation {
 /// that a pixel may have from its plane.
 DepthTolerance stepTolerance(const Parameters& parameters);
 
+/// Difference in inverse depth of two planes at the ray (x, y, 1) [tolerances], positive if `other` is
+/// nearer.
+double differenceAt(double x, double y, const InverseDepthPlane& plane, const InverseDepthPlane& other,
+                    const DepthTolerance& tolerance);
+
 /// Where two clusters of candidates meet on a scanline.
 struct ClusterContact {
   /// The candidates on both sides of the border.

@@ -31,11 +31,6 @@ double squaredError(const MergeTree::Node& node) {
   return node.means.fit(plane, squared_error) ? squared_error : 0.0;
 }
 
-// The mean deviation of a candidate's pixels from a plane, in tolerances.
-double deviationOf(const RegressionMoments& m, const InverseDepthPlane& plane) {
-  return (m.rho - plane.a * m.x - plane.b * m.y - plane.c * m.weight) / std::sqrt(m.weight * m.pixels);
-}
-
 }  // namespace
 
 void MergeTree::start(const CandidateGrid& grid, const DepthTolerance& step_tolerance) {
@@ -114,7 +109,7 @@ double MergeTree::quadricVarianceOfListed(const InverseDepthPlane& plane) {
   const std::size_t stride = 1 + listed_.size() / kEnoughPoints;
   for (std::size_t k = 0; k < listed_.size(); k += stride) {
     const RegressionMoments& m = node(listed_[k]).moments;
-    quadric.add(m.x / m.weight, m.y / m.weight, deviationOf(m, plane));
+    quadric.add(m.x / m.weight, m.y / m.weight, m.meanDeviation(plane) * std::sqrt(m.weight / m.pixels));
   }
   return quadric.points() > 6 ? quadric.variance() : 0.0;
 }
@@ -136,12 +131,12 @@ void MergeTree::addContacts(int candidate, int a, int b, MeanStep& steps) {
   static constexpr std::array<std::array<int, 2>, 4> kDirections = {{{1, 0}, {0, 1}, {-1, 0}, {0, -1}}};
   const int from = grid_->candidates[candidate].cell;
   for (const auto& [right, down] : kDirections) {
-    int to = -1;
-    for (int distance = 1; distance <= kMaxContactDistance; ++distance) {
+    int to = -1, cluster = -1;
+    for (int distance = 1; distance <= kMaxContactDistance && cluster != a && cluster != b; ++distance) {
       to = grid_->cellBeside(from, right * distance, down * distance);
-      if (clusterAt(to) == a || clusterAt(to) == b) break;
+      cluster = clusterAt(to);
     }
-    if (clusterAt(to) != b) continue;
+    if (cluster != b) continue;
     const ClusterContact contact =
         contactBetween(*grid_, from, to, right, down, [this](int cell) { return clusterAt(cell); });
     steps.add(stepAt(contact, node(a).plane, node(b).plane, step_tolerance_));

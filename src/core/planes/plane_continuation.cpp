@@ -38,28 +38,20 @@ std::uint32_t keyOf(int a, int b) {
 
 }  // namespace
 
-void PlaneContinuation::addContact(const ViewRays& rays, const CandidateGrid& grid,
-                                   const std::vector<PlaneCluster>& clusters,
-                                   const std::vector<int>& cluster_at, const Parameters& parameters, int cell,
-                                   int to_right, int below) {
-  const int distance = to_right + below, other_cell = grid.cellBeside(cell, to_right, below);
-  const int a = cluster_at[cell], b = cluster_at[other_cell];
-  if (a == b) return;
-  const ClusterContact contact = contactBetween(grid, cell, other_cell, to_right / distance, below / distance,
-                                                [&cluster_at](int at) { return cluster_at[at]; });
+// Adds the contact of clusters a and b.
+void PlaneContinuation::addContact(const ViewRays& rays, const std::vector<PlaneCluster>& clusters, int a,
+                                   int b, const ClusterContact& contact, int distance,
+                                   const Tolerances& tolerances) {
   const CrossingCandidate &from = *contact.from, &to = *contact.to;
   const auto x_of = [&rays](int u) { return static_cast<double>(rays.x[u]); };
   const auto y_of = [&rays](int v) { return static_cast<double>(rays.y[v]); };
   const double x = 0.5 * (x_of(from.u) + x_of(to.u)), y = 0.5 * (y_of(from.v) + y_of(to.v));
   const InverseDepthPlane &plane = clusters[a].plane, &other = clusters[b].plane;
-  const double rho = plane.at(x, y), other_rho = other.at(x, y);
-  const double mean = 0.5 * (rho + other_rho);
-  const DepthTolerance tolerance{parameters.noise, parameters.patches.patch_noise_factor,
-                                 parameters.patches.patch_distance};
-  const double gap = (rho - other_rho) / tolerance.at(mean, plane.inverseDistance());
-  contacts_.push_back({keyOf(a, b), static_cast<std::uint32_t>(contacts_.size()), 1, gap * gap, mean, {}});
+  const double gap = differenceAt(x, y, plane, other, tolerances.gap);
+  const double rho = 0.5 * (plane.at(x, y) + other.at(x, y));
+  contacts_.push_back({keyOf(a, b), static_cast<std::uint32_t>(contacts_.size()), 1, gap * gap, rho, {}});
   if (distance > kMaxContactDistance) return;
-  const double step = stepAt(contact, plane, other, stepTolerance(parameters));
+  const double step = stepAt(contact, plane, other, tolerances.step);
   contacts_.back().step.add(a < b ? step : -step);
 }
 
@@ -95,22 +87,29 @@ void PlaneContinuation::sumContacts() {
 
 void PlaneContinuation::listContacts(const ViewRays& rays, const CandidateGrid& grid,
                                      const std::vector<PlaneCluster>& clusters,
-                                     const std::vector<int>& cluster_at, const Parameters& parameters) {
+                                     const std::vector<int>& cluster_at, const Tolerances& tolerances) {
   contacts_.clear();
-  // From each crossing to the next one with a cluster.
-  const auto look = [&](int cell, int to_right, int below) {
-    for (int gap = 1; gap <= kMaxGap; ++gap) {
-      const int other = grid.cellBeside(cell, gap * to_right, gap * below);
-      if (other < 0) return;
-      if (cluster_at[other] < 0) continue;
-      addContact(rays, grid, clusters, cluster_at, parameters, cell, gap * to_right, gap * below);
+  // From each crossing to the next one with a cluster, one step of which leads to the right or down.
+  const auto look = [&](int cell, int to_right, int below, int count) {
+    const int step = grid.indexOf(to_right, below);
+    for (int gap = 1; gap <= std::min(count, kMaxGap); ++gap) {
+      const int other = cell + gap * step;
+      const int a = cluster_at[cell], b = cluster_at[other];
+      if (b < 0) continue;
+      if (a == b) return;
+      const ClusterContact contact = contactBetween(grid, cell, other, to_right, below,
+                                                    [&cluster_at](int at) { return cluster_at[at]; });
+      addContact(rays, clusters, a, b, contact, gap, tolerances);
       return;
     }
   };
-  for (int cell = 0; cell < grid.crossings(); ++cell) {
-    if (cluster_at[cell] < 0) continue;
-    look(cell, 1, 0);
-    look(cell, 0, 1);
+  for (int row = 0; row < grid.rows; ++row) {
+    for (int column = 0; column < grid.columns; ++column) {
+      const int cell = grid.indexOf(column, row);
+      if (cluster_at[cell] < 0) continue;
+      look(cell, 1, 0, grid.columns - 1 - column);
+      look(cell, 0, 1, grid.rows - 1 - row);
+    }
   }
   sumContacts();
 }
@@ -118,7 +117,10 @@ void PlaneContinuation::listContacts(const ViewRays& rays, const CandidateGrid& 
 void PlaneContinuation::find(const ViewRays& rays, const CandidateGrid& grid,
                              const std::vector<PlaneCluster>& clusters, const std::vector<int>& cluster_at,
                              const Parameters& parameters, std::vector<int>& plane_of) {
-  listContacts(rays, grid, clusters, cluster_at, parameters);
+  const PatchParameters& patches = parameters.patches;
+  listContacts(
+      rays, grid, clusters, cluster_at,
+      {{parameters.noise, patches.patch_noise_factor, patches.patch_distance}, stepTolerance(parameters)});
   const auto cluster = [&clusters](int i) -> const PlaneCluster& { return clusters[i]; };
   const auto is_larger = [&cluster](int a, int b) {
     return std::tuple(cluster(a).candidates, -a) > std::tuple(cluster(b).candidates, -b);

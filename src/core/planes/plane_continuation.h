@@ -36,12 +36,16 @@ class PlaneContinuation {
     MeanStep step;       ///< from the cluster with the lower index to the other one
   };
 
-  void addContact(const ViewRays& rays, const CandidateGrid& grid, const std::vector<PlaneCluster>& clusters,
-                  const std::vector<int>& cluster_at, const Parameters& parameters, int cell, int to_right,
-                  int below);
+  struct Tolerances {
+    DepthTolerance gap;   ///< between the planes
+    DepthTolerance step;  ///< between the surfaces
+  };
+
+  void addContact(const ViewRays& rays, const std::vector<PlaneCluster>& clusters, int a, int b,
+                  const ClusterContact& contact, int distance, const Tolerances& tolerances);
   void listContacts(const ViewRays& rays, const CandidateGrid& grid,
                     const std::vector<PlaneCluster>& clusters, const std::vector<int>& cluster_at,
-                    const Parameters& parameters);
+                    const Tolerances& tolerances);
   void sumContacts();
   static bool isContinued(const PlaneCluster& small, const PlaneCluster& large, const Contact& contact);
 
