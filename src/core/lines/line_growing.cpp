@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "planes/inverse_depth_plane.h"
-
 namespace line_plane_segmentation {
 namespace {
 
@@ -24,55 +22,68 @@ constexpr int kMaxHole = 3;  // [windows] a segment continues after a hole one w
 
 }  // namespace
 
-void LineGrower::listWindows(const ScanlineSet& set, int scanline, double orthogonal_ray,
-                             const Parameters& parameters) {
-  const DepthTolerance tolerance{parameters.noise, parameters.patches.patch_noise_factor,
-                                 parameters.patches.patch_distance};
-  // The plane through the line that comes nearest to the camera is as far away as the line is in its scan.
-  const double inv_k2 = 1.0 / (1.0 + orthogonal_ray * orthogonal_ray);
-  nodes_.clear();
-  for (int i = 0; i < set.windows; ++i) {
-    const LineSums& sums = set.sums[set.indexOf(scanline, i)];
-    if (!(sums.n >= kMinLinePixels)) continue;
-    const InverseDepthLine line = fitInverseDepthLine(sums);
-    const double inverse_distance = std::sqrt(line.slope * line.slope + line.offset * line.offset * inv_k2);
-    const double bound = tolerance.at(sums.rho / sums.n, inverse_distance);
-    const bool is_straight = line.squared_error <= kStraight * bound * bound * sums.n;
-    nodes_.push_back({i, is_straight ? i : -1, sums, line.squared_error, bound * bound});
-  }
+// Adds a window of a scanline, or merges it with the last one, as mergeNeighbors() does.
+void LineGrower::addWindow(int window, const LineSums& sums, double inv_k2, const DepthTolerance& tolerance,
+                           double fraction) {
+  const InverseDepthLine line = fitInverseDepthLine(sums);
+  const double inverse_distance = std::sqrt(line.slope * line.slope + line.offset * line.offset * inv_k2);
+  const double bound = tolerance.at(line.rho, inverse_distance), tolerance2 = bound * bound;
+  const bool is_straight = line.squared_error <= kStraight * tolerance2 * sums.n;
+  // Stored one by one: a copy of the whole would wait for its parts.
+  Node& node = nodes_[count_];
+  node.first = window;
+  node.last = is_straight ? window : -1;
+  node.sums = sums;
+  node.squared_error = line.squared_error;
+  node.tolerance2 = tolerance2;
+  if (count_ == 0 || !mergeIfAlike(nodes_[count_ - 1], node, fraction)) ++count_;
 }
 
-// Merges neighbours, from the start of the scanline, whose merging adds less than this fraction of the bound.
+// Merges a segment with the one before it if that adds less than this fraction of the bound.
+bool LineGrower::mergeIfAlike(Node& before, const Node& node, double fraction) {
+  if (before.last < 0 || node.last < 0 || node.first - before.last > kMaxHole) return false;
+  const LineSums sums = before.sums + node.sums;
+  const double squared_error = fitInverseDepthLine(sums).squared_error;
+  const double bound = (kNoiseError + kDistortionError * std::min(before.sums.n, node.sums.n)) *
+                       std::min(before.tolerance2, node.tolerance2);
+  if (!(squared_error - before.squared_error - node.squared_error < fraction * bound)) return false;
+  before.tolerance2 = (before.tolerance2 * before.sums.n + node.tolerance2 * node.sums.n) / sums.n;
+  before.last = node.last;
+  before.sums = sums;
+  before.squared_error = squared_error;
+  return true;
+}
+
+// Merges neighbours, from the start of the scanline.
 void LineGrower::mergeNeighbors(double fraction) {
-  std::size_t kept = 0;
-  for (const Node& node : nodes_) {
-    Node* before = kept > 0 ? &nodes_[kept - 1] : nullptr;
-    if (before != nullptr && before->last >= 0 && node.last >= 0 && node.first - before->last <= kMaxHole) {
-      const LineSums sums = before->sums + node.sums;
-      const double squared_error = fitInverseDepthLine(sums).squared_error;
-      const double bound = (kNoiseError + kDistortionError * std::min(before->sums.n, node.sums.n)) *
-                           std::min(before->tolerance2, node.tolerance2);
-      if (squared_error - before->squared_error - node.squared_error < fraction * bound) {
-        const double tolerance2 =
-            (before->tolerance2 * before->sums.n + node.tolerance2 * node.sums.n) / sums.n;
-        *before = {before->first, node.last, sums, squared_error, tolerance2};
-        continue;
-      }
-    }
-    nodes_[kept++] = node;
+  int kept = 0;
+  for (int i = 0; i < count_; ++i) {
+    if (kept > 0 && mergeIfAlike(nodes_[kept - 1], nodes_[i], fraction)) continue;
+    if (kept != i) nodes_[kept] = nodes_[i];
+    ++kept;
   }
-  nodes_.resize(kept);
+  count_ = kept;
 }
 
 void LineGrower::grow(const std::vector<float>& orthogonal_ray, const Parameters& parameters,
                       ScanlineSet& set) {
   set.segments.clear();
   set.segment_of.assign(set.sums.size(), -1);
+  nodes_.resize(static_cast<std::size_t>(set.windows));
+  const DepthTolerance tolerance{parameters.noise, parameters.patches.patch_noise_factor,
+                                 parameters.patches.patch_distance};
   for (int k = 0; k < set.count(); ++k) {
-    listWindows(set, k, orthogonal_ray[set.pixels[k]], parameters);
+    // The plane through a line that comes nearest to the camera is as far away as the line is in its scan.
+    const double ray = orthogonal_ray[set.pixels[k]], inv_k2 = 1.0 / (1.0 + ray * ray);
+    const LineSums* const sums = set.sums.data() + set.indexOf(k, 0);
     // What is most alike grows together before anything doubtful is compared.
-    for (const double fraction : {1.0 / 8, 1.0, 1.0}) mergeNeighbors(fraction);
-    for (const Node& node : nodes_) {
+    count_ = 0;
+    for (int i = 0; i < set.windows; ++i) {
+      if (sums[i].n >= kMinLinePixels) addWindow(i, sums[i], inv_k2, tolerance, 1.0 / 8);
+    }
+    for (const double fraction : {1.0}) mergeNeighbors(fraction);
+    for (int i = 0; i < count_; ++i) {
+      const Node& node = nodes_[i];
       if (node.last < 0 || node.sums.n < parameters.lines.min_line_points) continue;
       const auto at = set.segment_of.begin() + static_cast<std::ptrdiff_t>(set.indexOf(k, 0));
       std::fill(at + node.first, at + node.last + 1, static_cast<int>(set.segments.size()));

@@ -5,6 +5,7 @@
 
 #include "line_plane_segmentation/parameters.h"
 #include "lines/scanline_set.h"
+#include "planes/inverse_depth_plane.h"
 
 namespace line_plane_segmentation {
 
@@ -32,10 +33,13 @@ class LineGrower {
     double squared_error, tolerance2;
   };
 
-  void listWindows(const ScanlineSet& set, int scanline, double orthogonal_ray, const Parameters& parameters);
+  void addWindow(int window, const LineSums& sums, double inv_k2, const DepthTolerance& tolerance,
+                 double fraction);
+  static bool mergeIfAlike(Node& before, const Node& node, double fraction);
   void mergeNeighbors(double fraction);
 
-  std::vector<Node> nodes_;  // of one scanline
+  std::vector<Node> nodes_;  // as many as a scanline has windows
+  int count_ = 0;            // of the nodes of one scanline
 };
 
 /// Estimates the depth errors of an image from windows of its scanlines: distances of a piece of a scanline

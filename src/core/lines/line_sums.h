@@ -20,16 +20,18 @@ struct LineSums {
 struct InverseDepthLine {
   double slope = 0.0, offset = 0.0;
   double squared_error = 0.0;  ///< [1/m²] sum over the pixels
+  double rho = 0.0;            ///< [1/m] mean over the pixels
 };
 
 /// Fits the line. Pixels at one single t have the slope 0; without pixels all is 0.
 inline InverseDepthLine fitInverseDepthLine(const LineSums& sums) {
   if (!(sums.n > 0.0)) return {};
-  const double inv_n = 1.0 / sums.n;
-  const double ctt = sums.tt - sums.t * sums.t * inv_n, ctr = sums.t_rho - sums.t * sums.rho * inv_n;
-  const double crr = sums.rho_rho - sums.rho * sums.rho * inv_n;
-  const double slope = ctt > 0.0 ? ctr / ctt : 0.0;
-  return {slope, (sums.rho - slope * sums.t) * inv_n, std::max(0.0, crr - slope * ctr)};
+  // Centred moments, times n, so that no division waits for another one.
+  const double ctt = sums.n * sums.tt - sums.t * sums.t, ctr = sums.n * sums.t_rho - sums.t * sums.rho;
+  const double crr = sums.n * sums.rho_rho - sums.rho * sums.rho;
+  const double inv_n = 1.0 / sums.n, slope = ctt > 0.0 ? ctr / ctt : 0.0;
+  return {slope, (sums.rho - slope * sums.t) * inv_n, std::max(0.0, (crr - slope * ctr) * inv_n),
+          sums.rho * inv_n};
 }
 
 }  // namespace line_plane_segmentation

@@ -23,13 +23,14 @@ int validInColumn(const DepthImage& depth, int u) {
 }
 
 // Places scanlines; each may move by a pixel to where at least twice as many pixels are valid.
+// @param counted  pixels that count_valid() looks at: no scanline has more
 template <typename CountValid>
-void place(int length, int spacing, CountValid&& count_valid, std::vector<int>& pixels) {
+void place(int length, int spacing, int counted, CountValid&& count_valid, std::vector<int>& pixels) {
   pixels.clear();
   for (int at = spacing / 2; at < length; at += spacing) {
     int best = at, most = 2 * count_valid(at);
     for (const int other : {at - 1, at + 1}) {
-      if (spacing < 3 || other < 0 || other >= length) continue;
+      if (spacing < 3 || other < 0 || other >= length || most >= counted) continue;
       const int valid = count_valid(other);
       if (valid > most) best = other, most = valid;
     }
@@ -105,9 +106,9 @@ void WindowSummer::sum(const DepthImage& depth, const ViewRays& rays, int spacin
   rows.direction = ScanDirection::kRow;
   columns.direction = ScanDirection::kColumn;
   place(
-      depth.height, spacing, [&](int v) { return validInRow(depth, v); }, rows.pixels);
+      depth.height, spacing, depth.width, [&](int v) { return validInRow(depth, v); }, rows.pixels);
   place(
-      depth.width, spacing, [&](int u) { return validInColumn(depth, u); }, columns.pixels);
+      depth.width, spacing, (depth.height + kStride - 1) / kStride, [&](int u) { return validInColumn(depth, u); }, columns.pixels);
   prepare(depth.width, window, rows);
   prepare(depth.height, window, columns);
   sumRows(depth, rays, rows);
