@@ -34,6 +34,10 @@ struct Halves {
     CrossingCandidate at;
     at.moments = {n * u * u,   n * u * v,   n * v * v, n * u,         n * v, n,
                   n * u * rho, n * v * rho, n * rho,   n * rho * rho, n};
+    at.x = u;
+    at.y = v;
+    at.rho = rho;
+    at.inv_tolerance = 1.0;
     return at;
   }
 

@@ -41,24 +41,28 @@ RegressionMoments momentsOf(const LineSums& row, const LineSums& column, double 
 
 // Fits the plane of the moments, and weighs them by 1 / tolerance².
 // @return false if they are degenerate or not flat
-bool fitWithin(const DepthTolerance& tolerance, double max_flatness, FittedPixels& fitted) {
-  if (!fitted.moments.fit(fitted.plane, fitted.squared_error)) return false;
-  const double bound =
-      tolerance.at(fitted.moments.rho / fitted.moments.weight, fitted.plane.inverseDistance());
-  const double weight = 1.0 / (bound * bound);
-  fitted.squared_error *= weight;
-  if (!(fitted.squared_error < max_flatness * fitted.moments.pixels)) return false;
-  fitted.moments.scale(weight);
+bool fitWithin(const DepthTolerance& tolerance, double max_flatness, CrossingCandidate& candidate) {
+  RegressionMoments& m = candidate.moments;
+  if (!m.fit(candidate.plane, candidate.squared_error)) return false;
+  const double inv = 1.0 / m.pixels;
+  candidate.x = m.x * inv;
+  candidate.y = m.y * inv;
+  candidate.rho = m.rho * inv;
+  candidate.inv_tolerance = 1.0 / tolerance.at(candidate.rho, candidate.plane.inverseDistance());
+  const double weight = candidate.inv_tolerance * candidate.inv_tolerance;
+  candidate.squared_error *= weight;
+  if (!(candidate.squared_error < max_flatness * m.pixels)) return false;
+  m.scale(weight);
   return true;
 }
 
 // The variance across the plane over the variance in all directions, as the eigenvalues of the pixels' points
 // give it, to first order about their mean. An error e of the inverse depth is a distance of e d / rho to the
 // plane.
-double curvatureOf(const FittedPixels& fitted) {
+double curvatureOf(const CrossingCandidate& fitted) {
   const RegressionMoments& m = fitted.moments;
   const InverseDepthPlane& plane = fitted.plane;
-  const double inv = 1.0 / m.weight, x = m.x * inv, y = m.y * inv, z = m.weight / m.rho;
+  const double inv = 1.0 / m.weight, x = fitted.x, y = fitted.y, z = 1.0 / fitted.rho;
   const double xx = m.xx * inv - x * x, xy = m.xy * inv - x * y, yy = m.yy * inv - y * y;
   // The point at the ray (x, y) is z (x, y, 1): its derivatives by x and y, as z changes by -a z² and -b z².
   const Eigen::Vector3d ray(x, y, 1.0);

@@ -16,8 +16,13 @@ namespace line_plane_segmentation {
 /// A plane candidate of the default method: the local plane where a row segment and a column segment cross,
 /// fitted to the windows of both segments around the crossing.
 struct CrossingCandidate : FittedPixels {
-  int u = 0, v = 0;  ///< [px] the crossing
-  int cell = 0;      ///< index of the crossing in its CandidateGrid
+  double x = 0.0, y = 0.0, rho = 0.0;  ///< mean ray and mean inverse depth [1/m] of the pixels
+  double inv_tolerance = 0.0;          ///< [m] 1 / tolerance of each pixel
+  int u = 0, v = 0;                    ///< [px] the crossing
+  int cell = 0;                        ///< index of the crossing in its CandidateGrid
+
+  /// Mean deviation of the pixels from a plane [1/m], positive if they are nearer.
+  double deviationFrom(const InverseDepthPlane& other) const { return rho - other.at(x, y); }
 
   /// The candidate as the paper describes it: normal, d, and curvature (see PlaneCandidate::curvature).
   PlaneCandidate describe() const;

@@ -12,7 +12,7 @@ constexpr double kStandardErrors = 3.0;
 
 // A plane moved to the depth of a candidate of its cluster.
 InverseDepthPlane moved(InverseDepthPlane plane, const CrossingCandidate& candidate) {
-  plane.c += candidate.moments.meanDeviation(plane);
+  plane.c += candidate.deviationFrom(plane);
   return plane;
 }
 
@@ -32,8 +32,7 @@ double differenceAt(double x, double y, const InverseDepthPlane& plane, const In
 
 double stepAt(const ClusterContact& contact, const InverseDepthPlane& plane, const InverseDepthPlane& other,
               const DepthTolerance& tolerance) {
-  const RegressionMoments &m = contact.from->moments, &n = contact.to->moments;
-  const double x = 0.5 * (m.x / m.weight + n.x / n.weight), y = 0.5 * (m.y / m.weight + n.y / n.weight);
+  const double x = 0.5 * (contact.from->x + contact.to->x), y = 0.5 * (contact.from->y + contact.to->y);
   return differenceAt(x, y, moved(plane, *contact.behind_from), moved(other, *contact.behind_to), tolerance);
 }
 

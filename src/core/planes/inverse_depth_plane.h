@@ -62,11 +62,6 @@ struct RegressionMoments {
              x_rho * factor, y_rho * factor, rho * factor, rho_rho * factor, pixels};
   }
 
-  /// Mean deviation of the pixels from a plane [1/m], positive if they are nearer.
-  double meanDeviation(const InverseDepthPlane& plane) const {
-    return (rho - plane.a * x - plane.b * y) / weight - plane.c;
-  }
-
   /// Fits the plane, without a branch, so that loops over it can be vectorised.
   /// @param squared_error  receives the weighted sum of squared errors of the pixels
   /// @return false if the pixels are degenerate (on one line of the image, or none); plane and error are

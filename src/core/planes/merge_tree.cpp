@@ -37,23 +37,21 @@ void MergeTree::start(const CandidateGrid& grid, const DepthTolerance& step_tole
   grid_ = &grid;
   step_tolerance_ = step_tolerance;
   const std::vector<CrossingCandidate>& candidates = grid.candidates;
-  leaves_ = static_cast<int>(candidates.size());
-  nodes_.clear();
-  nodes_.reserve(2 * candidates.size());
-  parent_.clear();
+  size_ = leaves_ = static_cast<int>(candidates.size());
+  if (nodes_.size() < 2 * candidates.size()) nodes_.resize(2 * candidates.size());
+  parent_.resize(2 * candidates.size());
   next_.assign(candidates.size(), -1);
-  for (const CrossingCandidate& candidate : candidates) {
-    Node node;
+  for (int i = 0; i < leaves_; ++i) {
+    const CrossingCandidate& candidate = candidates[i];
+    const double x = candidate.x, y = candidate.y, rho = candidate.rho;
+    const double g = candidate.inv_tolerance * candidate.inv_tolerance;
+    Node& node = nodes_[i];
     static_cast<FittedPixels&>(node) = candidate;
-    const RegressionMoments& m = candidate.moments;
-    const double inv = 1.0 / m.weight, x = m.x * inv, y = m.y * inv, rho = m.rho * inv;
-    const double g = m.weight / m.pixels;
     node.means = {g * x * x,   g * x * y,   g * y * y, g * x,         g * y, g,
                   g * x * rho, g * y * rho, g * rho,   g * rho * rho, 1.0};
+    node.left = node.right = -1;
     node.candidates = 1;
-    node.first = node.last = static_cast<int>(nodes_.size());
-    parent_.push_back(static_cast<int>(nodes_.size()));
-    nodes_.push_back(node);
+    node.first = node.last = parent_[i] = i;
   }
 }
 
@@ -69,10 +67,10 @@ double MergeTree::costOf(int a, int b, const FittedPixels& both) const {
 }
 
 int MergeTree::merge(int a, int b, const FittedPixels& both) {
-  const int merged = size();
+  const int merged = size_++;
   const Node &first = node(a), &second = node(b);
-  Node node;
-  static_cast<FittedPixels&>(node) = both;
+  Node& node = nodes_[merged];
+  if (&both != &node) static_cast<FittedPixels&>(node) = both;
   node.means = first.means + second.means;
   node.candidates = first.candidates + second.candidates;
   node.left = a;
@@ -80,9 +78,7 @@ int MergeTree::merge(int a, int b, const FittedPixels& both) {
   node.first = first.first;
   node.last = second.last;
   next_[first.last] = second.first;
-  nodes_.push_back(node);
-  parent_.push_back(merged);
-  parent_[a] = parent_[b] = merged;
+  parent_[a] = parent_[b] = parent_[merged] = merged;
   return merged;
 }
 
@@ -108,8 +104,8 @@ double MergeTree::quadricVarianceOfListed(const InverseDepthPlane& plane) {
   QuadricFit quadric;
   const std::size_t stride = 1 + listed_.size() / kEnoughPoints;
   for (std::size_t k = 0; k < listed_.size(); k += stride) {
-    const RegressionMoments& m = node(listed_[k]).moments;
-    quadric.add(m.x / m.weight, m.y / m.weight, m.meanDeviation(plane) * std::sqrt(m.weight / m.pixels));
+    const CrossingCandidate& candidate = grid_->candidates[listed_[k]];
+    quadric.add(candidate.x, candidate.y, candidate.deviationFrom(plane) * candidate.inv_tolerance);
   }
   return quadric.points() > 6 ? quadric.variance() : 0.0;
 }
@@ -177,7 +173,7 @@ bool MergeTree::compare(Pair& pair, double limit, double fraction) {
   if (a == b) return false;
   const bool is_known = a == pair.root_a && b == pair.root_b;
   if (is_known && !(pair.cost < fraction)) return true;
-  FittedPixels both;
+  FittedPixels& both = nodes_[size_];
   const bool is_plane = combine(a, b, both);
   pair = {pair.a, pair.b, a, b, is_plane ? costOf(a, b, both) / limit : kNever};
   if (pair.cost < fraction) {

@@ -30,7 +30,7 @@ class MergeTree {
   /// Starts with one cluster for each candidate. The grid is read until the next start.
   void start(const CandidateGrid& grid, const DepthTolerance& step_tolerance);
 
-  int size() const { return static_cast<int>(nodes_.size()); }
+  int size() const { return size_; }
   int leaves() const { return leaves_; }
   const Node& node(int i) const { return nodes_[i]; }
   bool isRoot(int i) const { return parent_[i] == i; }
@@ -93,9 +93,9 @@ class MergeTree {
 
   const CandidateGrid* grid_ = nullptr;
   DepthTolerance step_tolerance_;
-  std::vector<Node> nodes_;
+  std::vector<Node> nodes_;  // room for all merges; the next one is tried behind the last node
   std::vector<int> parent_;
-  int leaves_ = 0;
+  int size_ = 0, leaves_ = 0;
   std::vector<Pair> pairs_;
   std::vector<int> next_;  // candidate after each one; those of every node follow each other
   std::vector<int> listed_;

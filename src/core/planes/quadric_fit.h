@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <Eigen/Core>
+#include <array>
 
 namespace line_plane_segmentation {
 
@@ -19,8 +19,8 @@ class QuadricFit {
   double variance() const;
 
  private:
-  Eigen::Matrix<double, 6, 6> products_ = Eigen::Matrix<double, 6, 6>::Zero();
-  Eigen::Matrix<double, 6, 1> with_deviation_ = Eigen::Matrix<double, 6, 1>::Zero();
+  std::array<double, 15> powers_{};         // sums of 1, x, y, x², xy, y², x³, x²y ... y⁴
+  std::array<double, 6> with_deviation_{};  // sums of 1, x, y, x², xy, y², times the deviation
   double squares_ = 0.0;
   int points_ = 0;
 };
