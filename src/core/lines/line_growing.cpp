@@ -26,8 +26,8 @@ constexpr int kMaxHole = 3;  // [windows] a segment continues after a hole one w
 void LineGrower::addWindow(int window, const LineSums& sums, double inv_k2, const DepthTolerance& tolerance,
                            double fraction) {
   const InverseDepthLine line = fitInverseDepthLine(sums);
-  const double inverse_distance = std::sqrt(line.slope * line.slope + line.offset * line.offset * inv_k2);
-  const double bound = tolerance.at(line.rho, inverse_distance), tolerance2 = bound * bound;
+  const double inverse_distance2 = line.slope * line.slope + line.offset * line.offset * inv_k2;
+  const double tolerance2 = tolerance.squaredAt(sums.rho * line.inv_n, inverse_distance2);
   const bool is_straight = line.squared_error <= kStraight * tolerance2 * sums.n;
   // Stored one by one: a copy of the whole would wait for its parts.
   Node& node = nodes_[count_];
@@ -43,14 +43,14 @@ void LineGrower::addWindow(int window, const LineSums& sums, double inv_k2, cons
 bool LineGrower::mergeIfAlike(Node& before, const Node& node, double fraction) {
   if (before.last < 0 || node.last < 0 || node.first - before.last > kMaxHole) return false;
   const LineSums sums = before.sums + node.sums;
-  const double squared_error = fitInverseDepthLine(sums).squared_error;
+  const InverseDepthLine line = fitInverseDepthLine(sums);
   const double bound = (kNoiseError + kDistortionError * std::min(before.sums.n, node.sums.n)) *
                        std::min(before.tolerance2, node.tolerance2);
-  if (!(squared_error - before.squared_error - node.squared_error < fraction * bound)) return false;
-  before.tolerance2 = (before.tolerance2 * before.sums.n + node.tolerance2 * node.sums.n) / sums.n;
+  if (!(line.squared_error - before.squared_error - node.squared_error < fraction * bound)) return false;
+  before.tolerance2 = (before.tolerance2 * before.sums.n + node.tolerance2 * node.sums.n) * line.inv_n;
   before.last = node.last;
   before.sums = sums;
-  before.squared_error = squared_error;
+  before.squared_error = line.squared_error;
   return true;
 }
 

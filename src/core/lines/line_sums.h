@@ -20,18 +20,19 @@ struct LineSums {
 struct InverseDepthLine {
   double slope = 0.0, offset = 0.0;
   double squared_error = 0.0;  ///< [1/m²] sum over the pixels
-  double rho = 0.0;            ///< [1/m] mean over the pixels
+  double inv_n = 0.0;          ///< 1 / number of pixels
 };
 
 /// Fits the line. Pixels at one single t have the slope 0; without pixels all is 0.
 inline InverseDepthLine fitInverseDepthLine(const LineSums& sums) {
   if (!(sums.n > 0.0)) return {};
-  // Centred moments, times n, so that no division waits for another one.
+  // Centred moments, times n. One division for both quotients, since it takes as long as the rest.
   const double ctt = sums.n * sums.tt - sums.t * sums.t, ctr = sums.n * sums.t_rho - sums.t * sums.rho;
   const double crr = sums.n * sums.rho_rho - sums.rho * sums.rho;
-  const double inv_n = 1.0 / sums.n, slope = ctt > 0.0 ? ctr / ctt : 0.0;
-  return {slope, (sums.rho - slope * sums.t) * inv_n, std::max(0.0, (crr - slope * ctr) * inv_n),
-          sums.rho * inv_n};
+  const bool is_line = ctt > 0.0;
+  const double inv = 1.0 / (is_line ? sums.n * ctt : sums.n), inv_n = is_line ? inv * ctt : inv;
+  const double slope = is_line ? inv * sums.n * ctr : 0.0;
+  return {slope, (sums.rho - slope * sums.t) * inv_n, std::max(0.0, (crr - slope * ctr) * inv_n), inv_n};
 }
 
 }  // namespace line_plane_segmentation

@@ -113,6 +113,7 @@ void CrossingDetector::detect(const ViewRays& rays, const ScanlineSet& rows, con
   grid.candidate_at.assign(static_cast<std::size_t>(grid.crossings()), -1);
   const DepthTolerance tolerance{parameters.noise, parameters.patches.patch_noise_factor,
                                  parameters.patches.patch_distance};
+  CrossingCandidate candidate;  // each value is set anew: to start from zeros would take long
   for (int r = 0; r < grid.rows; ++r) {
     const int v = rows.pixels[r];
     int left = -1, left_segment = -1;  // the candidate before, and its row segment
@@ -123,11 +124,9 @@ void CrossingDetector::detect(const ViewRays& rays, const ScanlineSet& rows, con
       const int before = left;
       left = -1;
       if (row_segment < 0 || column_segment < 0) continue;
-      CrossingCandidate candidate;
       if (!fitAtCrossing(rays, rows, columns, r, c, tolerance, parameters.patches.patch_flatness, candidate))
         continue;
       candidate.cell = grid.indexOf(c, r);
-
       const int index = static_cast<int>(grid.candidates.size());
       grid.candidates.push_back(candidate);
       grid.candidate_at[candidate.cell] = index;

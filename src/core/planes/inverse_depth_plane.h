@@ -38,6 +38,12 @@ struct DepthTolerance {
   double at(double rho, double inverse_distance) const {
     return std::max(along(rho), distance * rho * inverse_distance);
   }
+
+  /// The square of at(), from the square of the inverse distance.
+  double squaredAt(double rho, double inverse_distance2) const {
+    const double noise_term = along(rho), distance_term = distance * rho;
+    return std::max(noise_term * noise_term, distance_term * distance_term * inverse_distance2);
+  }
 };
 
 /// Weighted sums over pixels, from which a plane is fitted in constant time by linear regression of the

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 
 #include "planes/quadric_fit.h"
 
@@ -14,7 +13,6 @@ namespace {
 // [limits] A pair of candidates may cost more than the clusters that they come to belong to, whose planes are
 // better constrained, but not so much more.
 constexpr double kHopeless = 4.0;
-constexpr double kNever = std::numeric_limits<double>::max();
 
 // Two clusters are two planes if, for each candidate of the smaller one, the common surface adds more squared
 // deviation than this multiple of the variance about their own planes. With equal halves, 2 doubles the
@@ -175,15 +173,18 @@ bool MergeTree::compare(Pair& pair, double limit, double fraction) {
   if (is_known && !(pair.cost < fraction)) return true;
   FittedPixels& both = nodes_[size_];
   const bool is_plane = combine(a, b, both);
-  pair = {pair.a, pair.b, a, b, is_plane ? costOf(a, b, both) / limit : kNever};
-  if (pair.cost < fraction) {
-    if (!isTwoPlanes(a, b, both)) {
-      merge(a, b, both);
-      return false;
-    }
-    pair.cost = kHopeless;  // until either cluster has changed
+  const double added = both.squared_error - node(a).squared_error - node(b).squared_error;
+  const double unit = limit * std::min(node(a).moments.pixels, node(b).moments.pixels);
+  const bool is_cheap = is_plane && added < fraction * unit;
+  if (is_cheap && !isTwoPlanes(a, b, both)) {
+    merge(a, b, both);
+    return false;
   }
-  return pair.cost <= kHopeless;
+  // Two planes may be compared again when either cluster has changed.
+  pair.root_a = a;
+  pair.root_b = b;
+  pair.cost = is_cheap ? kHopeless : added / unit;
+  return is_plane && pair.cost <= kHopeless;
 }
 
 void MergeTree::mergeLinked(const std::vector<CandidateGrid::Link>& links, double limit,
