@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "depth/hole_kernels.h"
 
+#include <cmath>
+
 #include "kernels/multiversion.h"
 
 // Holes can be anywhere: loops without branches, which would be mispredicted.
@@ -21,6 +23,22 @@ void markHoleEnds(const float* __restrict z, int count, int v, int max_hole, int
     holes[u] = hole;
     marks[u] = static_cast<std::uint8_t>(valid & (hole > 0) & (hole <= max_hole));
     last_valid[u] = valid ? v : last;
+  }
+}
+
+LPS_MULTIVERSION
+void fillSingleHoles(const float* before, const float* after, int count, const RowNoise& bound, float* z,
+                     std::uint8_t* filled) {
+  const RowNoise b = bound;
+  // A pixel that is filled has two valid neighbours, which are not.
+  LPS_INDEPENDENT
+  for (int i = 0; i < count; ++i) {
+    const float z0 = before[i], z1 = after[i], beyond = z1 - b.nearest, here = z[i];
+    const float largest = (b.floor + b.growth * beyond * beyond) * z0;
+    const bool is_filled =
+        !(here > 0.0F) & (z0 > 0.0F) & (z1 > 0.0F) & (std::fabs(z1 - z0) * z1 < largest);
+    z[i] = is_filled ? 2.0F * z0 * z1 / (z0 + z1) : here;
+    filled[i] = static_cast<std::uint8_t>(filled[i] | (is_filled ? 1 : 0));
   }
 }
 

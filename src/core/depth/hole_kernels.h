@@ -4,6 +4,8 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "kernels/row_kernels.h"
+
 namespace line_plane_segmentation {
 
 /// Marks the columns of a row where valid depth begins or ends; the first one if it is valid.
@@ -14,6 +16,13 @@ void markValidityChanges(const float* z, int count, std::uint8_t* marks);
 /// @param holes       [pixel] length of the hole in each column, where one is marked
 void markHoleEnds(const float* z, int count, int v, int max_hole, int* last_valid, int* holes,
                   std::uint8_t* marks);
+
+/// Fills holes of a single pixel between two valid ones, as HoleFiller does: most holes of an image are such.
+/// @param before, after  the two neighbours of each pixel, in the row or in the column
+/// @param bound          noise model times the largest difference of neighbours on one surface, in sigma_z
+/// @param filled         receives 1 where a pixel is filled; the others are left as they are
+void fillSingleHoles(const float* before, const float* after, int count, const RowNoise& bound, float* z,
+                     std::uint8_t* filled);
 
 /// Sets the depth of marked pixels to 0.
 void clearMarked(const std::uint8_t* marks, std::size_t count, float* z);
