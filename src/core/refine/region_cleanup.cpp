@@ -26,13 +26,12 @@ constexpr double kMaxStep = 1.0;
 class StepTest {
  public:
   explicit StepTest(const Parameters& parameters)
-      : floor_(kMaxStep * parameters.extraction.distance_noise_factor * parameters.noise.floor),
-        growth_(kMaxStep * parameters.extraction.distance_noise_factor * parameters.noise.growth),
-        nearest_(parameters.noise.nearest) {}
+      : floor_(static_cast<float>(factorOf(parameters) * parameters.noise.floor)),
+        growth_(static_cast<float>(factorOf(parameters) * parameters.noise.growth)),
+        nearest_(static_cast<float>(parameters.noise.nearest)) {}
 
   int touch(float a, float b) const {
-    const double near = static_cast<double>(std::min(a, b)), far = static_cast<double>(std::max(a, b));
-    const double beyond = far - nearest_;
+    const float near = std::min(a, b), far = std::max(a, b), beyond = far - nearest_;
     return (far - near) * far < (floor_ + growth_ * beyond * beyond) * near ? 1 : 0;
   }
   int countTouching(const float* z, const float* other, int count) const {
@@ -42,7 +41,11 @@ class StepTest {
   }
 
  private:
-  double floor_, growth_, nearest_;
+  static double factorOf(const Parameters& parameters) {
+    return kMaxStep * parameters.extraction.distance_noise_factor;
+  }
+
+  float floor_, growth_, nearest_;
 };
 
 }  // namespace
@@ -130,52 +133,51 @@ void RegionCleaner::listBordersOfSmall(const LabelRuns& image) {
   }
 }
 
-RegionCleaner::Contact RegionCleaner::contactAt(const Border& border, const LabelRuns& image) {
-  const bool first_is_small = componentOf(border.first).size == kSmall;
-  const int small = first_is_small ? border.first : border.second;
-  const int large = first_is_small ? border.second : border.first;
-  return {componentOf(small), image.runs[large].label};
-}
-
 // Takes the votes of a border between a small component and a large one, in which some pixels touch. The
 // small one votes for the label that it may be merged into (Boyer and Moore's vote): one that more than half
 // of its touching pixels have is target_label in the end. Factors stand for branches, which would be
 // mispredicted.
-void RegionCleaner::vote(const Border& border, int length, int touching, const LabelRuns& image) {
-  const auto [component, label] = contactAt(border, image);
+void RegionCleaner::vote(Border& border, int length, int touching, const LabelRuns& image) {
+  const bool first_is_small = componentOf(border.first).size == kSmall;
+  const int small = first_is_small ? border.first : border.second;
+  const int large = first_is_small ? border.second : border.first;
+  const int index = component_of_run_[small], label = image.runs[large].label;
+  Component& component = components_[index];
   component.majority_margin -= length;
   const int sign = 2 * static_cast<int>(label == component.target_label) - 1;
   const int vote_count = component.vote_count + sign * touching;
   component.target_label = vote_count < 0 ? label : component.target_label;
   component.vote_count = std::abs(vote_count);
-  touching_.push_back(touching);
+  border = {index, label};
 }
 
 // Where small components touch large ones.
 void RegionCleaner::voteForTargets(const DepthImage& depth, const Parameters& parameters,
                                    const LabelRuns& image) {
-  touching_.clear();
-  touching_.reserve(border_count_);
+  touching_.resize(border_count_);
   const StepTest step(parameters);
   for (std::size_t k = 0; k < vertical_count_; ++k) {
     const LabelRun &above = image.runs[borders_[k].first], &below = image.runs[borders_[k].second];
     const int first = std::max(above.first, below.first);
     const int length = std::min(above.last, below.last) - first;
-    vote(borders_[k], length,
-         step.countTouching(depth.row(above.row) + first, depth.row(below.row) + first, length), image);
+    touching_[k] =
+        step.countTouching(depth.row(above.row) + first, depth.row(below.row) + first, length);
+    vote(borders_[k], length, touching_[k], image);
   }
   for (std::size_t k = vertical_count_; k < border_count_; ++k) {
     const LabelRun& right = image.runs[borders_[k].second];
     const float* const z = depth.row(right.row) + right.first;
-    vote(borders_[k], 1, step.touch(z[-1], z[0]), image);
+    touching_[k] = step.touch(z[-1], z[0]);
+    vote(borders_[k], 1, touching_[k], image);
   }
 }
 
 // Keeps the target_label of a small component if more than half of its border touches it. Pixels behind a
 // depth step do not touch.
-void RegionCleaner::chooseMergeTargets(const LabelRuns& image) {
+void RegionCleaner::chooseMergeTargets() {
   for (std::size_t k = 0; k < border_count_; ++k) {
-    const auto [component, label] = contactAt(borders_[k], image);
+    const auto [index, label] = borders_[k];
+    Component& component = components_[index];
     component.majority_margin += 2 * touching_[k] * static_cast<int>(label == component.target_label);
   }
   for (Component& component : components_) {
@@ -247,7 +249,7 @@ int RegionCleaner::clean(const DepthImage& depth, const ViewRays& rays,
   measureComponents(parameters.cleanup.min_region_pixels, image);
   listBordersOfSmall(image);
   voteForTargets(depth, parameters, image);
-  chooseMergeTargets(image);
+  chooseMergeTargets();
   rejectDistantTargets(depth, rays, clusters, parameters, image);
   const int plane_count =
       renumber(parameters.extraction.min_plane_inliers, static_cast<int>(clusters.size()));

@@ -40,14 +40,10 @@ class RegionCleaner {
     /// [px] Twice the border with target_label, minus the border with all large components.
     int majority_margin = 0;
   };
-  /// Two runs that touch, the first one above or to the left of the second.
+  /// Two runs that touch, the first one above or to the left of the second. After their vote: the index of
+  /// the small component, and the label of the large one.
   struct Border {
     int first, second;
-  };
-  /// A small component and the label of the large one that it borders on.
-  struct Contact {
-    Component& component;
-    int label;
   };
 
   int find(int run);
@@ -63,10 +59,9 @@ class RegionCleaner {
   void numberComponents(const LabelRuns& image);
   void measureComponents(int min_region_pixels, const LabelRuns& image);
   void listBordersOfSmall(const LabelRuns& image);
-  Contact contactAt(const Border& border, const LabelRuns& image);
-  void vote(const Border& border, int length, int touching, const LabelRuns& image);
+  void vote(Border& border, int length, int touching, const LabelRuns& image);
   void voteForTargets(const DepthImage& depth, const Parameters& parameters, const LabelRuns& image);
-  void chooseMergeTargets(const LabelRuns& image);
+  void chooseMergeTargets();
   void rejectDistantTargets(const DepthImage& depth, const ViewRays& rays,
                             const std::vector<PlaneCluster>& clusters, const Parameters& parameters,
                             const LabelRuns& image);
