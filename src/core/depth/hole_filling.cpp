@@ -91,7 +91,7 @@ void HoleFiller::fillRows(const DepthImage& depth, const Interpolation& interpol
     const int* const end = compactIndices(marks_.data(), depth.width, columns_.data());
     for (const int* change = columns_.data() + 1; change + 1 < end; change += 2) {
       const int hole = change[1] - change[0];
-      if (hole <= max_hole) fill.between(v * width + change[0] - 1, 1, hole);
+      if (hole > 1 && hole <= max_hole) fill.between(v * width + change[0] - 1, 1, hole);
     }
   }
 }

@@ -21,7 +21,7 @@ void markHoleEnds(const float* __restrict z, int count, int v, int max_hole, int
     const bool valid = z[u] > 0.0F;
     const int last = last_valid[u], hole = v - last - 1;
     holes[u] = hole;
-    marks[u] = static_cast<std::uint8_t>(valid & (hole > 0) & (hole <= max_hole));
+    marks[u] = static_cast<std::uint8_t>(valid & (hole > 1) & (hole <= max_hole));
     last_valid[u] = valid ? v : last;
   }
 }

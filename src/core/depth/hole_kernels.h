@@ -11,7 +11,7 @@ namespace line_plane_segmentation {
 /// Marks the columns of a row where valid depth begins or ends; the first one if it is valid.
 void markValidityChanges(const float* z, int count, std::uint8_t* marks);
 
-/// Marks the columns where a hole of at most `max_hole` pixels ends above a valid pixel of row v.
+/// Marks the columns where a hole of 2 to `max_hole` pixels ends above a valid pixel of row v.
 /// @param last_valid  row of the last valid pixel in each column; updated
 /// @param holes       [pixel] length of the hole in each column, where one is marked
 void markHoleEnds(const float* z, int count, int v, int max_hole, int* last_valid, int* holes,
