@@ -19,7 +19,7 @@ constexpr double kHopeless = 4.0;
 // variance. Its basis: variance ratio test (F test) with the threshold of an effect, not of significance,
 // since sensor distortion makes any deviation significant over enough candidates.
 constexpr double kTwoPlanes = 2.0;
-constexpr std::size_t kEnoughPoints = 128;  // of a quadric: more change its variance hardly
+constexpr std::size_t kEnoughPoints = 64;  // of a quadric: more change its variance hardly
 constexpr int kMinCompared = 8;             // candidates of either cluster: a plane has three parameters
 constexpr double kVarianceFloor = 0.05;     // [tolerance²] deviations below it do not count
 
