@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include "planes/quadric_fit.h"
 
@@ -13,6 +14,9 @@ namespace {
 // [limits] A pair of candidates may cost more than the clusters that they come to belong to, whose planes are
 // better constrained, but not so much more.
 constexpr double kHopeless = 4.0;
+constexpr double kNever = std::numeric_limits<double>::max();
+
+constexpr std::size_t kComparisons = 1024, kHashFactor = 31;  // remembered; bound only the time
 
 // Two clusters are two planes if, for each candidate of the smaller one, the common surface adds more squared
 // deviation than this multiple of the variance about their own planes. With equal halves, 2 doubles the
@@ -164,13 +168,21 @@ bool MergeTree::isTwoPlanes(int a, int b, const FittedPixels& both) {
   return quadricVarianceOfListed(both.plane) * degrees_of_freedom - apart >= bound || hasStep(a, b);
 }
 
-// Merges the clusters of a pair if that costs less than a fraction of the limit.
-// @return whether the pair may be merged later
-bool MergeTree::compare(Pair& pair, double limit, double fraction) {
-  const int a = find(pair.a), b = find(pair.b);
+// Where two roots are remembered. Two large clusters have many links.
+MergeTree::Comparison& MergeTree::comparisonOf(int a, int b) {
+  const std::size_t low = static_cast<std::size_t>(std::min(a, b)),
+                    high = static_cast<std::size_t>(std::max(a, b));
+  return comparisons_[(low * kHashFactor + high) % kComparisons];
+}
+
+// Merges the clusters of linked candidates if that costs less than a fraction of the limit.
+// @return whether they may be merged later
+bool MergeTree::compare(const CandidateGrid::Link& link, double limit, double fraction) {
+  const int a = find(link.a), b = find(link.b);
   if (a == b) return false;
-  const bool is_known = a == pair.root_a && b == pair.root_b;
-  if (is_known && !(pair.cost < fraction)) return true;
+  Comparison& known = comparisonOf(a, b);
+  const bool is_known = (known.a == a && known.b == b) || (known.a == b && known.b == a);
+  if (is_known && !(known.cost < fraction)) return known.cost <= kHopeless;
   FittedPixels& both = nodes_[size_];
   const bool is_plane = combine(a, b, both);
   const double added = both.squared_error - node(a).squared_error - node(b).squared_error;
@@ -180,23 +192,21 @@ bool MergeTree::compare(Pair& pair, double limit, double fraction) {
     merge(a, b, both);
     return false;
   }
-  // Two planes may be compared again when either cluster has changed.
-  pair.root_a = a;
-  pair.root_b = b;
-  pair.cost = is_cheap ? kHopeless : added / unit;
-  return is_plane && pair.cost <= kHopeless;
+  // Two planes are compared again when either cluster has changed.
+  known = {a, b, is_cheap ? kHopeless : is_plane ? added / unit : kNever};
+  return known.cost <= kHopeless;
 }
 
 void MergeTree::mergeLinked(const std::vector<CandidateGrid::Link>& links, double limit,
                             std::initializer_list<double> rounds) {
-  pairs_.clear();
-  for (const CandidateGrid::Link& link : links) pairs_.push_back({link.a, link.b, -1, -1, 0.0});
+  links_ = links;
+  comparisons_.assign(kComparisons, {});
   for (const double fraction : rounds) {
     std::size_t kept = 0;
-    for (Pair& pair : pairs_) {
-      if (compare(pair, limit, fraction)) pairs_[kept++] = pair;
+    for (const CandidateGrid::Link& link : links_) {
+      if (compare(link, limit, fraction)) links_[kept++] = link;
     }
-    pairs_.resize(kept);
+    links_.resize(kept);
   }
 }
 

@@ -77,11 +77,10 @@ class MergeTree {
   const std::vector<int>& candidatesOf(int i);
 
  private:
-  /// Linked candidates and the cost of merging their clusters when these were last compared.
-  struct Pair {
-    int a, b;
-    int root_a, root_b;
-    double cost;  ///< in limits
+  /// Two roots and the cost of merging them. It never changes: whatever is merged is another root.
+  struct Comparison {
+    int a = -1, b = -1;
+    double cost = 0.0;  ///< in limits
   };
 
   void appendCandidates(int i);
@@ -89,14 +88,16 @@ class MergeTree {
   void addContacts(int candidate, int a, int b, MeanStep& steps);
   bool hasStep(int a, int b);
   double quadricVarianceOfListed(const InverseDepthPlane& plane);
-  bool compare(Pair& pair, double limit, double fraction);
+  Comparison& comparisonOf(int a, int b);
+  bool compare(const CandidateGrid::Link& link, double limit, double fraction);
 
   const CandidateGrid* grid_ = nullptr;
   DepthTolerance step_tolerance_;
   std::vector<Node> nodes_;  // room for all merges; the next one is tried behind the last node
   std::vector<int> parent_;
   int size_ = 0, leaves_ = 0;
-  std::vector<Pair> pairs_;
+  std::vector<CandidateGrid::Link> links_;  // whose candidates may still be merged
+  std::vector<Comparison> comparisons_;     // the last ones, by a hash of the roots
   std::vector<int> next_;  // candidate after each one; those of every node follow each other
   std::vector<int> listed_;
 };

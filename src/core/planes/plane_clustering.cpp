@@ -109,7 +109,7 @@ void PlaneClusterer::cluster(const DepthImage& depth, const ViewRays& rays, cons
                              std::vector<PlaneCluster>& clusters, std::vector<int>& cluster_at) {
   tree_.start(grid, stepTolerance(parameters));
   tree_.mergeLinked(grid.links, parameters.clusters.merge_cost,
-                    {1.0 / 64, 1.0 / 8, 1.0});
+                    {1.0 / 64, 1.0 / 16, 1.0 / 8, 1.0 / 4, 1.0 / 2, 1.0});
 
   // A part has to be large enough for the smallest plane: as many crossings as that has pixels.
   const double pixels_per_crossing = static_cast<double>(grid.spacing) * grid.spacing;
