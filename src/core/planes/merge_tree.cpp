@@ -102,6 +102,7 @@ const std::vector<int>& MergeTree::candidatesOf(int i) {
   return listed_;
 }
 
+// Variance of the listed candidates about their quadric surface, from their deviations from any plane.
 double MergeTree::quadricVarianceOfListed(const InverseDepthPlane& plane) {
   QuadricFit quadric;
   const std::size_t stride = 1 + listed_.size() / kEnoughPoints;
@@ -110,6 +111,14 @@ double MergeTree::quadricVarianceOfListed(const InverseDepthPlane& plane) {
     quadric.add(candidate.x, candidate.y, candidate.deviationFrom(plane) * candidate.inv_tolerance);
   }
   return quadric.points() > 6 ? quadric.variance() : 0.0;
+}
+
+// The same of two clusters.
+double MergeTree::quadricVarianceOfBoth(int a, int b, const InverseDepthPlane& plane) {
+  listed_.clear();
+  appendCandidates(a);
+  appendCandidates(b);
+  return quadricVarianceOfListed(plane);
 }
 
 double MergeTree::quadricVariance(int i) {
@@ -162,10 +171,20 @@ bool MergeTree::isTwoPlanes(int a, int b, const FittedPixels& both) {
   const double bound = kTwoPlanes * (apart / degrees_of_freedom + kVarianceFloor) * fewer;
   if (common - apart < bound) return false;
   // Distortion bends planes smoothly, as a quadric does. But a quadric may explain a step as well.
-  listed_.clear();
-  appendCandidates(a);
-  appendCandidates(b);
-  return quadricVarianceOfListed(both.plane) * degrees_of_freedom - apart >= bound || hasStep(a, b);
+  return quadricVarianceOfBoth(a, b, both.plane) * degrees_of_freedom - apart >= bound || hasStep(a, b);
+}
+
+bool MergeTree::isPieceOfCurved(int piece, int rest) {
+  const Node &first = node(piece), &second = node(rest);
+  if (second.candidates < std::max(kMinCompared, first.candidates)) return false;
+  const int candidates = first.candidates + second.candidates;
+  InverseDepthPlane plane;
+  double about_plane = 0.0;
+  if (!(first.means + second.means).fit(plane, about_plane)) return false;
+  const double about_quadric = quadricVarianceOfBoth(piece, rest, plane) * (candidates - 6);
+  const double apart = squaredError(first) + quadricVariance(rest) * (second.candidates - 6);
+  const double bound = kTwoPlanes * (apart / candidates + kVarianceFloor) * first.candidates;
+  return about_quadric - apart < bound && about_quadric < kMaxResidualRatio * about_plane;
 }
 
 // Where two roots are remembered. Two large clusters have many links.

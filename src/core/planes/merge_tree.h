@@ -10,6 +10,9 @@
 
 namespace line_plane_segmentation {
 
+/// A surface is curved if a quadric surface leaves less than this fraction of its variance about a plane.
+constexpr double kMaxResidualRatio = 0.25;
+
 /// Agglomerative clustering of plane candidates with the history of its merges: a binary tree (dendrogram)
 /// whose leaves are the candidates. A disjoint-set forest (union-find) over the nodes finds a node's root.
 ///
@@ -73,6 +76,11 @@ class MergeTree {
   /// The same about their common quadric surface; 0 if there are fewer than 7.
   double quadricVariance(int i);
 
+  /// Whether a cluster is a piece of a curved surface of which another cluster is the rest: one quadric surface
+  /// explains both as well as a plane explains the piece and a quadric the rest, and much better than a common
+  /// plane does. False if the rest has fewer candidates than the piece, or fewer than 8.
+  bool isPieceOfCurved(int piece, int rest);
+
   /// The candidates of a cluster, those of its left part first.
   const std::vector<int>& candidatesOf(int i);
 
@@ -87,6 +95,7 @@ class MergeTree {
   int clusterAt(int cell);
   void addContacts(int candidate, int a, int b, MeanStep& steps);
   bool hasStep(int a, int b);
+  double quadricVarianceOfBoth(int a, int b, const InverseDepthPlane& plane);
   double quadricVarianceOfListed(const InverseDepthPlane& plane);
   Comparison& comparisonOf(int a, int b);
   bool compare(const CandidateGrid::Link& link, double limit, double fraction);

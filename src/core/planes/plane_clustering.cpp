@@ -15,13 +15,14 @@ constexpr std::size_t kMaxClusters = 65534;  // 16-bit labels; 65535 marks inval
 // the bounds for small planes are doubled, at a smaller one if distortion is measured to be larger.
 constexpr double kDistortedFraction = 0.045;
 
-// A cluster is curved if a quadric surface leaves less than this fraction of its variance about a plane.
-constexpr double kMaxResidualRatio = 0.25;
 constexpr int kMinCurved = 8;  // candidates: a quadric has six parameters
 
 // A plane whose candidates span fewer scanlines than this in either direction is narrow: most of their
 // windows end at its borders.
 constexpr int kMinScanlines = 3;
+
+// Links between a piece of a curved surface and the rest: fewer are where two surfaces touch by chance.
+constexpr int kMinLinks = 3;
 
 // So few candidates leave most of a plane's pixels out.
 constexpr int kFewCandidates = 28;
@@ -104,6 +105,34 @@ void PlaneClusterer::addPlanes(int root, double fraction_per_candidate, int min_
   if (planes_.size() == before) others_.push_back(root);
 }
 
+// Curved surfaces fall apart into pieces, the largest of which are curved. The others are no planes either.
+void PlaneClusterer::dropPiecesOfCurved(const CandidateGrid& grid) {
+  if (others_.empty()) return;
+  owner_.assign(grid.candidates.size(), -1);
+  const auto own = [this](int node, int owner) {
+    for (const int candidate : tree_.candidatesOf(node)) owner_[candidate] = owner;
+  };
+  const int planes = static_cast<int>(planes_.size());
+  for (int i = 0; i < planes; ++i) own(planes_[i], i);
+  for (std::size_t i = 0; i < others_.size(); ++i) own(others_[i], planes + static_cast<int>(i));
+  contacts_.clear();
+  for (const CandidateGrid::Link& link : grid.links) {
+    const auto [plane, other] = std::minmax(owner_[link.a], owner_[link.b]);
+    if (plane >= 0 && plane < planes && other >= planes) contacts_.push_back({plane, other - planes});
+  }
+  std::sort(contacts_.begin(), contacts_.end());
+  for (std::size_t first = 0, last = 0; first < contacts_.size(); first = last) {
+    while (last < contacts_.size() && contacts_[last] == contacts_[first]) ++last;
+    const auto [plane, other] = contacts_[first];
+    const bool is_piece = last - first >= kMinLinks && planes_[plane] >= 0 &&
+                          tree_.isPieceOfCurved(planes_[plane], others_[other]);
+    if (!is_piece) continue;
+    others_.push_back(planes_[plane]);
+    planes_[plane] = -1;
+  }
+  planes_.erase(std::remove(planes_.begin(), planes_.end(), -1), planes_.end());
+}
+
 void PlaneClusterer::cluster(const DepthImage& depth, const ViewRays& rays, const CandidateGrid& grid,
                              const Parameters& parameters, double distortion,
                              std::vector<PlaneCluster>& clusters, std::vector<int>& cluster_at) {
@@ -122,6 +151,7 @@ void PlaneClusterer::cluster(const DepthImage& depth, const ViewRays& rays, cons
   for (int i = 0; i < tree_.size(); ++i) {
     if (tree_.isRoot(i)) addPlanes(i, distorted_fraction, min_candidates, parameters.clusters);
   }
+  dropPiecesOfCurved(grid);
   coplanar_merger_.merge(depth, rays, grid, parameters, tree_, planes_);
 
   clusters.clear();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <utility>
 #include <vector>
 
 #include "planes/coplanar_merging.h"
@@ -20,8 +21,9 @@ struct PlaneCluster : FittedPixels {
 ///
 /// Candidates that follow each other on a line segment grow together (MergeTree). A cluster is a plane if it
 /// is flat and not curved. Of a cluster that is not, its parts are planes if most of it belongs to such parts
-/// and they explain it better than one quadric surface; otherwise it is a curved or rough surface. Coplanar
-/// planes are merged across what occludes them.
+/// and they explain it better than one quadric surface; otherwise it is a curved or rough surface. A plane
+/// that continues a curved surface is a piece of it, and no plane. Coplanar planes are merged across what
+/// occludes them.
 class PlaneClusterer {
  public:
   /// @param distortion  ratio of the depth errors over several candidates to those within one, at least 1
@@ -37,6 +39,7 @@ class PlaneClusterer {
                 const ClusterParameters& parameters);
   void addPlanes(int root, double fraction_per_candidate, int min_candidates,
                  const ClusterParameters& parameters);
+  void dropPiecesOfCurved(const CandidateGrid& grid);
 
   void addCluster(int node, bool is_plane, const CandidateGrid& grid, std::vector<PlaneCluster>& clusters,
                   std::vector<int>& cluster_at);
@@ -46,6 +49,8 @@ class PlaneClusterer {
   std::vector<int> planes_;  // nodes
   std::vector<int> others_;  // nodes that are no planes and have no parts that are
   std::vector<int> parts_;   // nodes still to be judged
+  std::vector<int> owner_;   // per candidate: index in planes_, or behind them in others_; -1 if neither
+  std::vector<std::pair<int, int>> contacts_;  // indices in planes_ and others_, one for each link
 };
 
 }  // namespace line_plane_segmentation
