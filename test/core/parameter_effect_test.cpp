@@ -33,7 +33,7 @@ DepthImage scene() {
     for (int u = 262; u < kWidth; ++u) {
       const double across = (u - 290.0) / 30.0;
       depth.row(v)[u] =
-          static_cast<float>(1.5 + 0.1 * across * across + (v < 155 ? 0.02 * random.uniform(-1, 1) : 0.0));
+          static_cast<float>(1.5 + 0.06 * across * across + (v < 180 ? 0.02 * random.uniform(-1, 1) : 0.0));
     }
   }
   addNoise({}, 1.0, random, depth);

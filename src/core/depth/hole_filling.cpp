@@ -49,15 +49,15 @@ class HoleFiller::Interpolation {
   Interpolation(const NoiseParameters& noise, double noise_factor, float* z, std::uint8_t* filled)
       : noise_(noise),
         tolerance_(2.0 * noise_factor),
-        bound_{static_cast<float>(tolerance_ * noise.floor), static_cast<float>(tolerance_ * noise.growth),
-               static_cast<float>(noise.nearest)},
+        single_tolerance_{static_cast<float>(tolerance_ * noise.floor),
+                          static_cast<float>(tolerance_ * noise.growth), static_cast<float>(noise.nearest)},
         z_(z),
         filled_(filled) {}
 
   // Fills the holes of a single pixel among `count` pixels of a row, along the row or the column.
-  void singles(std::ptrdiff_t first, std::ptrdiff_t stride, int count) const {
+  void fillSingles(std::ptrdiff_t first, std::ptrdiff_t stride, int count) const {
     float* const z = z_ + first;
-    fillSingleHoles(z - stride, z + stride, count, bound_, z, filled_ + first);
+    fillSingleHoles(z - stride, z + stride, count, single_tolerance_, z, filled_ + first);
   }
 
   // Fills the pixels after `before` if those around them agree within the noise. In the inverse depth,
@@ -76,7 +76,7 @@ class HoleFiller::Interpolation {
  private:
   NoiseParameters noise_;
   double tolerance_;
-  RowNoise bound_;
+  RowNoise single_tolerance_;
   float* z_;
   std::uint8_t* filled_;
 };
@@ -85,7 +85,7 @@ void HoleFiller::fillRows(const DepthImage& depth, const Interpolation& interpol
   const Interpolation fill = interpolation;  // nothing else points to it, so that it stays in registers
   const std::ptrdiff_t width = depth.width;
   for (int v = 0; v < depth.height; ++v) {
-    fill.singles(v * width + 1, 1, depth.width - 2);
+    fill.fillSingles(v * width + 1, 1, depth.width - 2);
     markValidityChanges(depth.row(v), depth.width, marks_.data());
     // Valid pixels begin at the first of each two columns, and end before the second.
     const int* const end = compactIndices(marks_.data(), depth.width, columns_.data());
@@ -102,7 +102,7 @@ void HoleFiller::fillColumns(const DepthImage& depth, const Interpolation& inter
   const int* const holes = holes_.data();
   last_valid_.assign(holes_.size(), -1 - max_hole - 1);
   for (int v = 0; v < depth.height; ++v) {
-    if (v > 0 && v + 1 < depth.height) fill.singles(v * width, width, depth.width);
+    if (v > 0 && v + 1 < depth.height) fill.fillSingles(v * width, width, depth.width);
     markHoleEnds(depth.row(v), depth.width, v, max_hole, last_valid_.data(), holes_.data(), marks_.data());
     const int* const end = compactIndices(marks_.data(), depth.width, columns_.data());
     for (const int* column = columns_.data(); column < end; ++column) {

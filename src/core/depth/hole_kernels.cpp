@@ -27,18 +27,17 @@ void markHoleEnds(const float* __restrict z, int count, int v, int max_hole, int
 }
 
 LPS_MULTIVERSION
-void fillSingleHoles(const float* before, const float* after, int count, const RowNoise& bound, float* z,
+void fillSingleHoles(const float* before, const float* after, int count, const RowNoise& tolerance, float* z,
                      std::uint8_t* filled) {
-  const RowNoise b = bound;
+  const RowNoise t = tolerance;
   // A pixel that is filled has two valid neighbours, which are not.
   LPS_INDEPENDENT
   for (int i = 0; i < count; ++i) {
-    const float z0 = before[i], z1 = after[i], beyond = z1 - b.nearest, here = z[i];
-    const float largest = (b.floor + b.growth * beyond * beyond) * z0;
-    const bool is_filled =
-        !(here > 0.0F) & (z0 > 0.0F) & (z1 > 0.0F) & (std::fabs(z1 - z0) * z1 < largest);
+    const float z0 = before[i], z1 = after[i], beyond = z1 - t.nearest, here = z[i];
+    const float largest = (t.floor + t.growth * beyond * beyond) * z0;
+    const bool is_filled = !(here > 0.0F) & (z0 > 0.0F) & (z1 > 0.0F) & (std::fabs(z1 - z0) * z1 < largest);
     z[i] = is_filled ? 2.0F * z0 * z1 / (z0 + z1) : here;
-    filled[i] = static_cast<std::uint8_t>(filled[i] | (is_filled ? 1 : 0));
+    filled[i] = static_cast<std::uint8_t>(filled[i] | static_cast<std::uint8_t>(is_filled));
   }
 }
 

@@ -17,11 +17,12 @@ void markValidityChanges(const float* z, int count, std::uint8_t* marks);
 void markHoleEnds(const float* z, int count, int v, int max_hole, int* last_valid, int* holes,
                   std::uint8_t* marks);
 
-/// Fills holes of a single pixel between two valid ones, as HoleFiller does: most holes of an image are such.
-/// @param before, after  the two neighbours of each pixel, in the row or in the column
-/// @param bound          noise model times the largest difference of neighbours on one surface, in sigma_z
+/// Fills holes of a single pixel between two valid ones, as HoleFiller does, in single precision. Most holes
+/// of an image are such.
+/// @param before, after  the neighbours of each pixel: z, moved by one column or one row to either side
+/// @param tolerance      noise model times the largest difference of neighbours on one surface, in sigma_z
 /// @param filled         receives 1 where a pixel is filled; the others are left as they are
-void fillSingleHoles(const float* before, const float* after, int count, const RowNoise& bound, float* z,
+void fillSingleHoles(const float* before, const float* after, int count, const RowNoise& tolerance, float* z,
                      std::uint8_t* filled);
 
 /// Sets the depth of marked pixels to 0.

@@ -18,25 +18,26 @@ constexpr double kStraight = 2.0;
 // sensor's distortion: one tolerance per pixel of the smaller piece.
 constexpr double kNoiseError = 20.0, kDistortionError = 1.0;
 
+constexpr double kMostAlike = 1.0 / 8;  // fraction of that bound for the first merges
+
 constexpr int kMaxHole = 3;  // [windows] a segment continues after a hole one window shorter
 
 }  // namespace
 
-// Adds a window of a scanline, or merges it with the last one, as mergeNeighbors() does.
-void LineGrower::addWindow(int window, const LineSums& sums, double inv_k2, const DepthTolerance& tolerance,
-                           double fraction) {
+// Adds a window of a scanline, or merges it with the last segment if they are most alike.
+void LineGrower::addWindow(int window, const LineSums& sums, double inv_k2, const DepthTolerance& tolerance) {
   const InverseDepthLine line = fitInverseDepthLine(sums);
   const double inverse_distance2 = line.slope * line.slope + line.offset * line.offset * inv_k2;
   const double tolerance2 = tolerance.squaredAt(sums.rho * line.inv_n, inverse_distance2);
   const bool is_straight = line.squared_error <= kStraight * tolerance2 * sums.n;
-  // Stored one by one: a copy of the whole would wait for its parts.
+  // Stored one by one: a copy of the whole would be loaded before its parts have left the store buffer.
   Node& node = nodes_[count_];
   node.first = window;
   node.last = is_straight ? window : -1;
   node.sums = sums;
   node.squared_error = line.squared_error;
   node.tolerance2 = tolerance2;
-  if (count_ == 0 || !mergeIfAlike(nodes_[count_ - 1], node, fraction)) ++count_;
+  if (count_ == 0 || !mergeIfAlike(nodes_[count_ - 1], node, kMostAlike)) ++count_;
 }
 
 // Merges a segment with the one before it if that adds less than this fraction of the bound.
@@ -54,11 +55,11 @@ bool LineGrower::mergeIfAlike(Node& before, const Node& node, double fraction) {
   return true;
 }
 
-// Merges neighbours, from the start of the scanline.
-void LineGrower::mergeNeighbors(double fraction) {
+// Merges neighbours within the bound, from the start of the scanline.
+void LineGrower::mergeNeighbors() {
   int kept = 0;
   for (int i = 0; i < count_; ++i) {
-    if (kept > 0 && mergeIfAlike(nodes_[kept - 1], nodes_[i], fraction)) continue;
+    if (kept > 0 && mergeIfAlike(nodes_[kept - 1], nodes_[i], 1.0)) continue;
     if (kept != i) nodes_[kept] = nodes_[i];
     ++kept;
   }
@@ -79,9 +80,9 @@ void LineGrower::grow(const std::vector<float>& orthogonal_ray, const Parameters
     // What is most alike grows together before anything doubtful is compared.
     count_ = 0;
     for (int i = 0; i < set.windows; ++i) {
-      if (sums[i].n >= kMinLinePixels) addWindow(i, sums[i], inv_k2, tolerance, 1.0 / 8);
+      if (sums[i].n >= kMinLinePixels) addWindow(i, sums[i], inv_k2, tolerance);
     }
-    for (const double fraction : {1.0}) mergeNeighbors(fraction);
+    mergeNeighbors();
     for (int i = 0; i < count_; ++i) {
       const Node& node = nodes_[i];
       if (node.last < 0 || node.sums.n < parameters.lines.min_line_points) continue;

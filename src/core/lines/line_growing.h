@@ -33,10 +33,9 @@ class LineGrower {
     double squared_error, tolerance2;
   };
 
-  void addWindow(int window, const LineSums& sums, double inv_k2, const DepthTolerance& tolerance,
-                 double fraction);
+  void addWindow(int window, const LineSums& sums, double inv_k2, const DepthTolerance& tolerance);
   static bool mergeIfAlike(Node& before, const Node& node, double fraction);
-  void mergeNeighbors(double fraction);
+  void mergeNeighbors();
 
   std::vector<Node> nodes_;  // as many as a scanline has windows
   int count_ = 0;            // of the nodes of one scanline

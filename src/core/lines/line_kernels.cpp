@@ -22,9 +22,9 @@ inline void store(const Numbers& numbers, double* to) {
   std::memcpy(to, &numbers, sizeof numbers);
 }
 
-// Sums as many windows, from `first` on, as there are numbers in `Single`. Distances from a window's first ray
-// and from the inverse depth of its first valid pixel are small, so that single precision is finer than any
-// sensor's steps.
+// Sums as many windows, from `first` on, as there are numbers in `Single`. Distances from a window's first
+// ray and from the inverse depth of its first valid pixel are small, so that single precision is finer than
+// any sensor's steps.
 template <typename Single, typename Double>
 inline void sumBlock(const float* z, const float* t, int pixels, int windows, int first,
                      const LineSumLanes& sums) {

@@ -23,7 +23,7 @@ struct InverseDepthLine {
   double inv_n = 0.0;          ///< 1 / number of pixels
 };
 
-/// Fits the line. Pixels at one single t have the slope 0; without pixels all is 0.
+/// Fits the line. A single pixel has the slope 0; without pixels all is 0.
 inline InverseDepthLine fitInverseDepthLine(const LineSums& sums) {
   if (!(sums.n > 0.0)) return {};
   // Centred moments, times n. One division for both quotients, since it takes as long as the rest.

@@ -108,7 +108,8 @@ void WindowSummer::sum(const DepthImage& depth, const ViewRays& rays, int spacin
   place(
       depth.height, spacing, depth.width, [&](int v) { return validInRow(depth, v); }, rows.pixels);
   place(
-      depth.width, spacing, (depth.height + kStride - 1) / kStride, [&](int u) { return validInColumn(depth, u); }, columns.pixels);
+      depth.width, spacing, (depth.height + kStride - 1) / kStride,
+      [&](int u) { return validInColumn(depth, u); }, columns.pixels);
   prepare(depth.width, window, rows);
   prepare(depth.height, window, columns);
   sumRows(depth, rays, rows);

@@ -59,10 +59,10 @@ bool fitWithin(const DepthTolerance& tolerance, double max_flatness, CrossingCan
 // The variance across the plane over the variance in all directions, as the eigenvalues of the pixels' points
 // give it, to first order about their mean. An error e of the inverse depth is a distance of e d / rho to the
 // plane.
-double curvatureOf(const CrossingCandidate& fitted) {
-  const RegressionMoments& m = fitted.moments;
-  const InverseDepthPlane& plane = fitted.plane;
-  const double inv = 1.0 / m.weight, x = fitted.x, y = fitted.y, z = 1.0 / fitted.rho;
+double curvatureOf(const CrossingCandidate& candidate) {
+  const RegressionMoments& m = candidate.moments;
+  const InverseDepthPlane& plane = candidate.plane;
+  const double inv = 1.0 / m.weight, x = candidate.x, y = candidate.y, z = 1.0 / candidate.rho;
   const double xx = m.xx * inv - x * x, xy = m.xy * inv - x * y, yy = m.yy * inv - y * y;
   // The point at the ray (x, y) is z (x, y, 1): its derivatives by x and y, as z changes by -a z² and -b z².
   const Eigen::Vector3d ray(x, y, 1.0);
@@ -70,7 +70,7 @@ double curvatureOf(const CrossingCandidate& fitted) {
   const Eigen::Vector3d by_y = z * Eigen::Vector3d::UnitY() - plane.b * z * z * ray;
   const double along = by_x.squaredNorm() * xx + 2.0 * by_x.dot(by_y) * xy + by_y.squaredNorm() * yy;
   const double distance = z / plane.inverseDistance();
-  const double across = fitted.squared_error * inv * distance * distance;
+  const double across = candidate.squared_error * inv * distance * distance;
   return across / (across + along);
 }
 

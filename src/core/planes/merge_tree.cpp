@@ -16,14 +16,16 @@ namespace {
 constexpr double kHopeless = 4.0;
 constexpr double kNever = std::numeric_limits<double>::max();
 
-constexpr std::size_t kComparisons = 1024, kHashFactor = 31;  // remembered; bound only the time
+// So many comparisons are remembered, which saves time only. The factor spreads candidates that are
+// neighbours in a row, whose indices follow each other.
+constexpr std::size_t kComparisons = 1024, kHashFactor = 618;
 
 // Two clusters are two planes if, for each candidate of the smaller one, the common surface adds more squared
 // deviation than this multiple of the variance about their own planes. With equal halves, 2 doubles the
 // variance. Its basis: variance ratio test (F test) with the threshold of an effect, not of significance,
 // since sensor distortion makes any deviation significant over enough candidates.
 constexpr double kTwoPlanes = 2.0;
-constexpr std::size_t kEnoughPoints = 64;  // of a quadric: more change its variance hardly
+constexpr std::size_t kEnoughPoints = 128;  // of a quadric: so many are sampled of more
 constexpr int kMinCompared = 8;             // candidates of either cluster: a plane has three parameters
 constexpr double kVarianceFloor = 0.05;     // [tolerance²] deviations below it do not count
 
@@ -40,7 +42,10 @@ void MergeTree::start(const CandidateGrid& grid, const DepthTolerance& step_tole
   step_tolerance_ = step_tolerance;
   const std::vector<CrossingCandidate>& candidates = grid.candidates;
   size_ = leaves_ = static_cast<int>(candidates.size());
-  if (nodes_.size() < 2 * candidates.size()) nodes_.resize(2 * candidates.size());
+  if (nodes_.size() < 2 * candidates.size()) {
+    nodes_.clear();  // otherwise it may grow to twice the size
+    nodes_.resize(2 * candidates.size());
+  }
   parent_.resize(2 * candidates.size());
   next_.assign(candidates.size(), -1);
   for (int i = 0; i < leaves_; ++i) {
@@ -105,7 +110,7 @@ const std::vector<int>& MergeTree::candidatesOf(int i) {
 // Variance of the listed candidates about their quadric surface, from their deviations from any plane.
 double MergeTree::quadricVarianceOfListed(const InverseDepthPlane& plane) {
   QuadricFit quadric;
-  const std::size_t stride = 1 + listed_.size() / kEnoughPoints;
+  const std::size_t stride = (listed_.size() + kEnoughPoints - 1) / kEnoughPoints;
   for (std::size_t k = 0; k < listed_.size(); k += stride) {
     const CrossingCandidate& candidate = grid_->candidates[listed_[k]];
     quadric.add(candidate.x, candidate.y, candidate.deviationFrom(plane) * candidate.inv_tolerance);
@@ -183,25 +188,24 @@ bool MergeTree::isPieceOfCurved(int piece, int rest) {
   if (!(first.means + second.means).fit(plane, about_plane)) return false;
   const double about_quadric = quadricVarianceOfBoth(piece, rest, plane) * (candidates - 6);
   const double apart = squaredError(first) + quadricVariance(rest) * (second.candidates - 6);
-  const double bound = kTwoPlanes * (apart / candidates + kVarianceFloor) * first.candidates;
+  const double bound = (apart / candidates + kVarianceFloor) * first.candidates;
   return about_quadric - apart < bound && about_quadric < kMaxResidualRatio * about_plane;
 }
 
-// Where two roots are remembered. Two large clusters have many links.
+// Where the comparison of two roots is remembered: two large clusters have many links, which all ask for it.
 MergeTree::Comparison& MergeTree::comparisonOf(int a, int b) {
-  const std::size_t low = static_cast<std::size_t>(std::min(a, b)),
-                    high = static_cast<std::size_t>(std::max(a, b));
-  return comparisons_[(low * kHashFactor + high) % kComparisons];
+  return comparisons_[(static_cast<std::size_t>(a) * kHashFactor + static_cast<std::size_t>(b)) %
+                      kComparisons];
 }
 
 // Merges the clusters of linked candidates if that costs less than a fraction of the limit.
 // @return whether they may be merged later
 bool MergeTree::compare(const CandidateGrid::Link& link, double limit, double fraction) {
-  const int a = find(link.a), b = find(link.b);
+  // In one order, since samples of the candidates, and so isTwoPlanes(), depend on it.
+  const auto [a, b] = std::minmax({find(link.a), find(link.b)});
   if (a == b) return false;
   Comparison& known = comparisonOf(a, b);
-  const bool is_known = (known.a == a && known.b == b) || (known.a == b && known.b == a);
-  if (is_known && !(known.cost < fraction)) return known.cost <= kHopeless;
+  if (known.a == a && known.b == b && !(known.cost < fraction)) return known.cost <= kHopeless;
   FittedPixels& both = nodes_[size_];
   const bool is_plane = combine(a, b, both);
   const double added = both.squared_error - node(a).squared_error - node(b).squared_error;

@@ -76,16 +76,17 @@ class MergeTree {
   /// The same about their common quadric surface; 0 if there are fewer than 7.
   double quadricVariance(int i);
 
-  /// Whether a cluster is a piece of a curved surface of which another cluster is the rest: one quadric surface
-  /// explains both as well as a plane explains the piece and a quadric the rest, and much better than a common
-  /// plane does. False if the rest has fewer candidates than the piece, or fewer than 8.
+  /// Whether a cluster is a piece of a curved surface of which another cluster is the rest: one quadric
+  /// surface explains both as well as a plane explains the piece and a quadric the rest, to the mean variance
+  /// for each candidate of the piece, and much better than a common plane does. False if the rest has fewer
+  /// candidates than the piece, or fewer than 8.
   bool isPieceOfCurved(int piece, int rest);
 
   /// The candidates of a cluster, those of its left part first.
   const std::vector<int>& candidatesOf(int i);
 
  private:
-  /// Two roots and the cost of merging them. It never changes: whatever is merged is another root.
+  /// Two roots, a < b, and the cost of merging them. It never changes: a merge makes a new root.
   struct Comparison {
     int a = -1, b = -1;
     double cost = 0.0;  ///< in limits
@@ -105,9 +106,9 @@ class MergeTree {
   std::vector<Node> nodes_;  // room for all merges; the next one is tried behind the last node
   std::vector<int> parent_;
   int size_ = 0, leaves_ = 0;
-  std::vector<CandidateGrid::Link> links_;  // whose candidates may still be merged
+  std::vector<CandidateGrid::Link> links_;  // between candidates that may still be merged
   std::vector<Comparison> comparisons_;     // the last ones, by a hash of the roots
-  std::vector<int> next_;  // candidate after each one; those of every node follow each other
+  std::vector<int> next_;                   // candidate after each one; those of every node follow each other
   std::vector<int> listed_;
 };
 

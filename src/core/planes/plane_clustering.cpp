@@ -22,7 +22,7 @@ constexpr int kMinCurved = 8;  // candidates: a quadric has six parameters
 constexpr int kMinScanlines = 3;
 
 // Links between a piece of a curved surface and the rest: fewer are where two surfaces touch by chance.
-constexpr int kMinLinks = 3;
+constexpr std::size_t kMinLinks = 3;
 
 // So few candidates leave most of a plane's pixels out.
 constexpr int kFewCandidates = 28;
@@ -105,32 +105,30 @@ void PlaneClusterer::addPlanes(int root, double fraction_per_candidate, int min_
   if (planes_.size() == before) others_.push_back(root);
 }
 
-// Curved surfaces fall apart into pieces, the largest of which are curved. The others are no planes either.
+// Drops planes that continue a neighbour to a curved surface. Such surfaces fall apart into pieces.
 void PlaneClusterer::dropPiecesOfCurved(const CandidateGrid& grid) {
-  if (others_.empty()) return;
   owner_.assign(grid.candidates.size(), -1);
-  const auto own = [this](int node, int owner) {
-    for (const int candidate : tree_.candidatesOf(node)) owner_[candidate] = owner;
-  };
-  const int planes = static_cast<int>(planes_.size());
-  for (int i = 0; i < planes; ++i) own(planes_[i], i);
-  for (std::size_t i = 0; i < others_.size(); ++i) own(others_[i], planes + static_cast<int>(i));
-  contacts_.clear();
+  for (const std::vector<int>* nodes : {&planes_, &others_}) {
+    for (const int node : *nodes) {
+      for (const int candidate : tree_.candidatesOf(node)) owner_[candidate] = node;
+    }
+  }
+  neighbors_.clear();
   for (const CandidateGrid::Link& link : grid.links) {
-    const auto [plane, other] = std::minmax(owner_[link.a], owner_[link.b]);
-    if (plane >= 0 && plane < planes && other >= planes) contacts_.push_back({plane, other - planes});
+    const int a = owner_[link.a], b = owner_[link.b];
+    if (a < 0 || b < 0 || a == b) continue;
+    const bool is_a_smaller = tree_.node(a).candidates < tree_.node(b).candidates;
+    neighbors_.push_back(is_a_smaller ? std::pair(a, b) : std::pair(b, a));
   }
-  std::sort(contacts_.begin(), contacts_.end());
-  for (std::size_t first = 0, last = 0; first < contacts_.size(); first = last) {
-    while (last < contacts_.size() && contacts_[last] == contacts_[first]) ++last;
-    const auto [plane, other] = contacts_[first];
-    const bool is_piece = last - first >= kMinLinks && planes_[plane] >= 0 &&
-                          tree_.isPieceOfCurved(planes_[plane], others_[other]);
-    if (!is_piece) continue;
-    others_.push_back(planes_[plane]);
-    planes_[plane] = -1;
+  std::sort(neighbors_.begin(), neighbors_.end());
+  for (std::size_t first = 0, last = 0; first < neighbors_.size(); first = last) {
+    while (last < neighbors_.size() && neighbors_[last] == neighbors_[first]) ++last;
+    const auto [small, large] = neighbors_[first];
+    const auto plane = std::find(planes_.begin(), planes_.end(), small);
+    if (last - first < kMinLinks || plane == planes_.end() || !tree_.isPieceOfCurved(small, large)) continue;
+    planes_.erase(plane);
+    others_.push_back(small);
   }
-  planes_.erase(std::remove(planes_.begin(), planes_.end(), -1), planes_.end());
 }
 
 void PlaneClusterer::cluster(const DepthImage& depth, const ViewRays& rays, const CandidateGrid& grid,

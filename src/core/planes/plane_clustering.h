@@ -22,8 +22,8 @@ struct PlaneCluster : FittedPixels {
 /// Candidates that follow each other on a line segment grow together (MergeTree). A cluster is a plane if it
 /// is flat and not curved. Of a cluster that is not, its parts are planes if most of it belongs to such parts
 /// and they explain it better than one quadric surface; otherwise it is a curved or rough surface. A plane
-/// that continues a curved surface is a piece of it, and no plane. Coplanar planes are merged across what
-/// occludes them.
+/// and a larger neighbour that one quadric surface explains as well are pieces of a curved surface: the
+/// smaller one is no plane. Coplanar planes are merged across what occludes them.
 class PlaneClusterer {
  public:
   /// @param distortion  ratio of the depth errors over several candidates to those within one, at least 1
@@ -49,8 +49,9 @@ class PlaneClusterer {
   std::vector<int> planes_;  // nodes
   std::vector<int> others_;  // nodes that are no planes and have no parts that are
   std::vector<int> parts_;   // nodes still to be judged
-  std::vector<int> owner_;   // per candidate: index in planes_, or behind them in others_; -1 if neither
-  std::vector<std::pair<int, int>> contacts_;  // indices in planes_ and others_, one for each link
+  std::vector<int> owner_;   // node per candidate, -1 if it is in neither of them
+  std::vector<std::pair<int, int>>
+      neighbors_;  // two nodes, the smaller one first, for each link between them
 };
 
 }  // namespace line_plane_segmentation

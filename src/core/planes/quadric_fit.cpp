@@ -9,8 +9,8 @@ namespace line_plane_segmentation {
 
 void QuadricFit::add(double x, double y, double deviation) {
   const double xx = x * x, xy = x * y, yy = y * y;
-  const std::array<double, 15> powers = {1.0,     x,       y,       xx,      xy,      yy,      xx * x, xx * y,
-                                         x * yy,  yy * y,  xx * xx, xx * xy, xx * yy, xy * yy, yy * yy};
+  const std::array<double, 15> powers = {1.0,    x,      y,       xx,      xy,      yy,      xx * x, xx * y,
+                                         x * yy, yy * y, xx * xx, xx * xy, xx * yy, xy * yy, yy * yy};
   for (std::size_t i = 0; i < powers_.size(); ++i) powers_[i] += powers[i];
   for (std::size_t i = 0; i < with_deviation_.size(); ++i) with_deviation_[i] += deviation * powers[i];
   squares_ += deviation * deviation;

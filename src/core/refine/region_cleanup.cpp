@@ -154,14 +154,14 @@ void RegionCleaner::vote(Border& border, int length, int touching, const LabelRu
 // Where small components touch large ones.
 void RegionCleaner::voteForTargets(const DepthImage& depth, const Parameters& parameters,
                                    const LabelRuns& image) {
+  touching_.clear();  // otherwise it may grow to twice the size
   touching_.resize(border_count_);
   const StepTest step(parameters);
   for (std::size_t k = 0; k < vertical_count_; ++k) {
     const LabelRun &above = image.runs[borders_[k].first], &below = image.runs[borders_[k].second];
     const int first = std::max(above.first, below.first);
     const int length = std::min(above.last, below.last) - first;
-    touching_[k] =
-        step.countTouching(depth.row(above.row) + first, depth.row(below.row) + first, length);
+    touching_[k] = step.countTouching(depth.row(above.row) + first, depth.row(below.row) + first, length);
     vote(borders_[k], length, touching_[k], image);
   }
   for (std::size_t k = vertical_count_; k < border_count_; ++k) {
@@ -176,8 +176,8 @@ void RegionCleaner::voteForTargets(const DepthImage& depth, const Parameters& pa
 // depth step do not touch.
 void RegionCleaner::chooseMergeTargets() {
   for (std::size_t k = 0; k < border_count_; ++k) {
-    const auto [index, label] = borders_[k];
-    Component& component = components_[index];
+    const auto [component_index, label] = borders_[k];
+    Component& component = components_[component_index];
     component.majority_margin += 2 * touching_[k] * static_cast<int>(label == component.target_label);
   }
   for (Component& component : components_) {
