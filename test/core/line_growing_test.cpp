@@ -123,6 +123,53 @@ TEST(WindowSummer, MovesARowToWhereTwiceAsManyPixelsAreValid) {
   EXPECT_EQ(firstRowOf(10, 0.4), 4);
 }
 
+/// Where scanlines lie, each of which may move to a neighbour with more than twice as many valid pixels.
+template <typename CountValid>
+std::vector<int> placed(int length, int spacing, CountValid&& count_valid) {
+  std::vector<int> pixels;
+  for (int at = spacing / 2; at < length; at += spacing) {
+    int best = at, most = 2 * count_valid(at);
+    for (const int other : {at - 1, at + 1}) {
+      if (spacing < 3 || other < 0 || other >= length || count_valid(other) <= most) continue;
+      best = other;
+      most = count_valid(other);
+    }
+    pixels.push_back(best);
+  }
+  return pixels;
+}
+
+TEST(WindowSummer, MovesEachScanlineByItself) {
+  int moved = 0;
+  for (std::uint64_t seed = 1; seed <= 200; ++seed) {
+    Random random(seed);
+    const int width = random.integer(1, 30), height = random.integer(1, 30), spacing = random.integer(1, 6);
+    DepthImage depth = render(surfaceAt(1.5), kCamera, width, height);
+    for (int v = 0; v < height; ++v) {
+      const double invalid = random.uniform(0.0, 1.0);
+      for (int u = 0; u < width; ++u) {
+        if (random.chance(invalid) || (seed % 2 == 0 && u % 3 != 0)) depth.row(v)[u] = 0.0F;
+      }
+    }
+    ScanlineSet rows, columns;
+    WindowSummer().sum(depth, raysOf(kCamera, width, height), spacing, 5, rows, columns);
+    const auto is_valid = [&depth](int u, int v) { return depth.at(u, v) > 0.0F ? 1 : 0; };
+    EXPECT_EQ(rows.pixels, placed(height, spacing, [&](int v) {
+                int valid = 0;
+                for (int u = 0; u < width; ++u) valid += is_valid(u, v);
+                return valid;
+              }));
+    EXPECT_EQ(columns.pixels, placed(width, spacing, [&](int u) {
+                int valid = 0;
+                for (int v = 0; v < height; v += 5) valid += is_valid(u, v);
+                return valid;
+              }));
+    for (const int u : columns.pixels) moved += u % spacing != spacing / 2 ? 1 : 0;
+    for (const int v : rows.pixels) moved += v % spacing != spacing / 2 ? 1 : 0;
+  }
+  EXPECT_GT(moved, 100);
+}
+
 TEST(WindowSummer, MovesNoRowTowardsOneThatIsScanned) {
   EXPECT_EQ(firstRowOf(2, 0.1), 1);
   EXPECT_EQ(firstRowOf(3, 0.1), 0);

@@ -92,6 +92,27 @@ TEST_P(AnyImage, NeedsSoManyBytesAPixel) {
   }
 }
 
+// Images that need a little more each than the one before: what grows must not grow to twice the size.
+TEST_P(AnyImage, NeedsNoMoreAfterSimplerOnes) {
+  Parameters parameters;
+  ASSERT_TRUE(loadPreset(GetParam().preset, parameters));
+  constexpr int kWidth = 640, kHeight = 480;
+  std::vector<std::vector<std::uint16_t>> images;
+  for (int rough_rows = kHeight * 3 / 4; rough_rows <= kHeight; rough_rows += kHeight / 20) {
+    images.push_back(hungryImages(kWidth, kHeight)[2]);
+    std::fill(images.back().begin() + kWidth * rough_rows, images.back().end(), std::uint16_t{1500});
+  }
+  std::unique_ptr<PlaneSegmenter> segmenter;
+  const long peak = peakOf([&] {
+    segmenter = std::make_unique<PlaneSegmenter>(parameters);
+    for (const std::vector<std::uint16_t>& pixels : images)
+      segmenter->segment(viewOf(pixels.data(), kWidth, kHeight), kinectCamera(kWidth, kHeight));
+  });
+  const double bytes = static_cast<double>(peak) / (kWidth * kHeight);
+  std::cout << bytes << " bytes a pixel\n";
+  EXPECT_LT(bytes, GetParam().bytes_per_pixel);
+}
+
 INSTANTIATE_TEST_SUITE_P(Presets, AnyImage,
                          testing::Values(MemoryBound{"kinect", 27.3, 27.3},
                                          MemoryBound{"short_range", 90.0, 90.0},

@@ -145,9 +145,64 @@ TEST(MergeTree, CostIsTheAddedErrorPerPixelOfTheSmaller) {
   EXPECT_EQ(tree.find(1), tree.leaves());
 }
 
+/// As MergeTree::mergeLinked(), without what it remembers.
+void mergeWithoutMemory(std::vector<CandidateGrid::Link> links, double limit, MergeTree& tree) {
+  for (const double fraction : {1.0 / 16, 1.0 / 4, 1.0, 1.0}) {
+    std::vector<CandidateGrid::Link> kept;
+    for (const CandidateGrid::Link& link : links) {
+      const auto [a, b] = std::minmax({tree.find(link.a), tree.find(link.b)});
+      FittedPixels both;
+      if (a == b || !tree.combine(a, b, both)) continue;
+      const double cost = tree.costOf(a, b, both) / limit;
+      if (cost < fraction && !tree.isTwoPlanes(a, b, both)) {
+        tree.merge(a, b, both);
+      } else if (cost <= 4.0) {
+        kept.push_back(link);
+      }
+    }
+    links = kept;
+  }
+}
+
+void expectSameNodes(const MergeTree& tree, const MergeTree& other) {
+  ASSERT_EQ(tree.size(), other.size());
+  for (int i = 0; i < tree.size(); ++i) {
+    EXPECT_EQ(tree.node(i).left, other.node(i).left);
+    EXPECT_EQ(tree.node(i).right, other.node(i).right);
+    EXPECT_EQ(tree.node(i).squared_error, other.node(i).squared_error);
+    EXPECT_EQ(tree.isRoot(i), other.isRoot(i));
+  }
+}
+
+TEST(MergeTree, RemembersComparisonsAndChangesNothing) {
+  for (const double noise : {0.5, 1.0, 2.0}) {
+    const DepthImage depth = halves(surfaceAt(1.8, 0.1), surfaceAt(1.8, -0.1), kCamera, kWidth, kHeight);
+    const Tree tree(noisy(depth, noise));
+    MergeTree other;
+    other.start(tree.image.grid, stepTolerance(adaptiveParameters(kWidth)));
+    mergeWithoutMemory(tree.image.grid.links, 4.4, other);
+    expectSameNodes(tree, other);
+    EXPECT_LT(tree.size(), 2 * tree.leaves() - 1) << "two planes are not merged";
+  }
+}
+
+TEST(MergeTree, StartsAnew) {
+  const Tree large(noisy(render(surfaceAt(2.0), kCamera, kWidth, kHeight), 1.0));
+  const Tree small(noisy(render(surfaceAt(2.0), kinectCamera(100, 80), 100, 80), 1.0));
+  const DepthTolerance tolerance = stepTolerance(adaptiveParameters(kWidth));
+  MergeTree tree;
+  for (const Tree* expected : {&large, &small, &large}) {
+    tree.start(expected->image.grid, tolerance);
+    EXPECT_EQ(tree.size(), tree.leaves());
+    tree.mergeLinked(expected->image.grid.links, 4.4, {1.0 / 16, 1.0 / 4, 1.0, 1.0});
+    expectSameNodes(tree, *expected);
+  }
+}
+
 /// Merges the candidates left and right of a column to one cluster each, except those as near to it as
-/// `left_out` pixels, and asks whether these are two planes.
-bool areTwoPlanes(const DepthImage& depth, int border = kWidth / 2, int left_out = 0) {
+/// `left_out` pixels, and asks something about them.
+template <typename Question>
+bool askOfHalves(const DepthImage& depth, int border, int left_out, Question&& question) {
   MergeTree tree;
   const CandidateImage image = findCandidates(depth);
   tree.start(image.grid, stepTolerance(adaptiveParameters(kWidth)));
@@ -162,9 +217,15 @@ bool areTwoPlanes(const DepthImage& depth, int border = kWidth / 2, int left_out
     }
     half = half < 0 ? i : tree.merge(half, i, both);
   }
-  FittedPixels both;
-  EXPECT_TRUE(tree.combine(halves[0], halves[1], both));
-  return tree.isTwoPlanes(halves[0], halves[1], both);
+  return question(tree, halves[0], halves[1]);
+}
+
+bool areTwoPlanes(const DepthImage& depth, int border = kWidth / 2, int left_out = 0) {
+  return askOfHalves(depth, border, left_out, [](MergeTree& tree, int left, int right) {
+    FittedPixels both;
+    EXPECT_TRUE(tree.combine(left, right, both));
+    return tree.isTwoPlanes(left, right, both);
+  });
 }
 
 /// A wall that is bent away from the camera at its ends, of which the columns from `first` on stand back.
@@ -199,6 +260,22 @@ TEST(MergeTree, TellsAStepFromABend) {
     EXPECT_TRUE(areTwoPlanes(bent(0.06, border, 0.05), border, kLeftOut)) << border;
     EXPECT_TRUE(areTwoPlanes(bent(0.06, border, -0.05), border, kLeftOut)) << border;
   }
+}
+
+bool isLeftAPieceOfCurved(const DepthImage& depth, int border) {
+  return askOfHalves(depth, border, 0,
+                     [](MergeTree& tree, int left, int right) { return tree.isPieceOfCurved(left, right); });
+}
+
+TEST(MergeTree, TellsPiecesOfACurvedSurface) {
+  constexpr int kNearerToTheLeft = 140;
+  EXPECT_TRUE(isLeftAPieceOfCurved(bent(0.3), kNearerToTheLeft));
+  EXPECT_FALSE(isLeftAPieceOfCurved(bent(0.3), kWidth - kNearerToTheLeft)) << "the larger one";
+  EXPECT_FALSE(isLeftAPieceOfCurved(bent(0.0), kNearerToTheLeft)) << "one plane";
+  const DepthImage crease = halves(surfaceAt(2.5, 0.3), surfaceAt(2.5, -0.3), kCamera, kWidth, kHeight);
+  EXPECT_FALSE(isLeftAPieceOfCurved(noisy(crease, 0.3), kWidth / 2 - 5)) << "two planes";
+  const DepthImage step = halves(surfaceAt(2.5), surfaceAt(2.7), kCamera, kWidth, kHeight);
+  EXPECT_FALSE(isLeftAPieceOfCurved(noisy(step, 0.3), kWidth / 2 - 5)) << "two depths";
 }
 
 TEST(MergeTree, OfNothingIsNothing) {

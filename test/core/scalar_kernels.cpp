@@ -15,6 +15,7 @@ using namespace ::line_plane_segmentation;  // the types are the same
 
 // What it includes is known by now, but for the choice of machines, which this turns off.
 #define LPS_SCALAR_ONLY
+#include "depth/hole_kernels.cpp"
 #include "kernels/row_kernels.cpp"
 #include "lines/line_kernels.cpp"
 

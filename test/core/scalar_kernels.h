@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "depth/hole_kernels.h"
 #include "kernels/row_kernels.h"
 #include "lines/line_kernels.h"
 
-/// The vectorised functions of row_kernels.h and line_kernels.h compiled once more, one pixel after the
+/// The vectorised functions of row_kernels.h, line_kernels.h and hole_kernels.h compiled once more, one pixel after the
 /// other and for the plainest of machines.
 namespace scalar_twin {
 namespace line_plane_segmentation {
@@ -19,6 +20,11 @@ decltype(::line_plane_segmentation::prepareRow) prepareRow;
 decltype(::line_plane_segmentation::assignIfBetter) assignIfBetter;
 decltype(::line_plane_segmentation::addRun) addRun;
 decltype(::line_plane_segmentation::sumWindows) sumWindows;
+decltype(::line_plane_segmentation::markValidityChanges) markValidityChanges;
+decltype(::line_plane_segmentation::markHoleEnds) markHoleEnds;
+decltype(::line_plane_segmentation::fillSingleHoles) fillSingleHoles;
+decltype(::line_plane_segmentation::clearMarked) clearMarked;
+decltype(::line_plane_segmentation::clearWithoutDepth) clearWithoutDepth;
 
 }  // namespace line_plane_segmentation
 }  // namespace scalar_twin
