@@ -150,7 +150,7 @@ void mergeWithoutMemory(std::vector<CandidateGrid::Link> links, double limit, Me
   for (const double fraction : {1.0 / 16, 1.0 / 4, 1.0, 1.0}) {
     std::vector<CandidateGrid::Link> kept;
     for (const CandidateGrid::Link& link : links) {
-      const auto [a, b] = std::minmax({tree.find(link.a), tree.find(link.b)});
+      const auto [b, a] = std::minmax({tree.find(link.a), tree.find(link.b)});
       FittedPixels both;
       if (a == b || !tree.combine(a, b, both)) continue;
       const double cost = tree.costOf(a, b, both) / limit;

@@ -94,6 +94,14 @@ double MergeTree::variance(int i) const {
   return n.candidates < 4 ? 0.0 : squaredError(n) / (n.candidates - 3);
 }
 
+double MergeTree::varianceOfBoth(int a, int b) const {
+  InverseDepthPlane plane;
+  double squares = 0.0;
+  const bool is_plane = (node(a).means + node(b).means).fit(plane, squares);
+  const int candidates = node(a).candidates + node(b).candidates;
+  return is_plane && candidates >= 4 ? squares / (candidates - 3) : 0.0;
+}
+
 void MergeTree::appendCandidates(int i) {
   const int last = node(i).last;
   int candidate = node(i).first;
@@ -201,8 +209,8 @@ MergeTree::Comparison& MergeTree::comparisonOf(int a, int b) {
 // Merges the clusters of linked candidates if that costs less than a fraction of the limit.
 // @return whether they may be merged later
 bool MergeTree::compare(const CandidateGrid::Link& link, double limit, double fraction) {
-  // In one order, since samples of the candidates, and so isTwoPlanes(), depend on it.
-  const auto [a, b] = std::minmax({find(link.a), find(link.b)});
+  // The newer one first: samples of the candidates, and so isTwoPlanes(), depend on the order.
+  const auto [b, a] = std::minmax({find(link.a), find(link.b)});
   if (a == b) return false;
   Comparison& known = comparisonOf(a, b);
   if (known.a == a && known.b == b && !(known.cost < fraction)) return known.cost <= kHopeless;

@@ -73,6 +73,9 @@ class MergeTree {
   /// than 4, or they are degenerate.
   double variance(int i) const;
 
+  /// The same of the candidates of two clusters.
+  double varianceOfBoth(int a, int b) const;
+
   /// The same about their common quadric surface; 0 if there are fewer than 7.
   double quadricVariance(int i);
 
@@ -86,7 +89,7 @@ class MergeTree {
   const std::vector<int>& candidatesOf(int i);
 
  private:
-  /// Two roots, a < b, and the cost of merging them. It never changes: a merge makes a new root.
+  /// Two roots, a > b, and the cost of merging them. It never changes: a merge makes a new root.
   struct Comparison {
     int a = -1, b = -1;
     double cost = 0.0;  ///< in limits

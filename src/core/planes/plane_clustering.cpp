@@ -105,14 +105,22 @@ void PlaneClusterer::addPlanes(int root, double fraction_per_candidate, int min_
   if (planes_.size() == before) others_.push_back(root);
 }
 
-// Drops planes that continue a neighbour to a curved surface. Such surfaces fall apart into pieces.
-void PlaneClusterer::dropPiecesOfCurved(const CandidateGrid& grid) {
+// Drops planes that are pieces of a curved surface: the smaller of two neighbours, and the larger one if both
+// together are bent more than distortion bends so large a plane.
+void PlaneClusterer::dropPiecesOfCurved(const CandidateGrid& grid, double fraction_per_candidate,
+                                        const ClusterParameters& parameters) {
   owner_.assign(grid.candidates.size(), -1);
   for (const std::vector<int>* nodes : {&planes_, &others_}) {
     for (const int node : *nodes) {
       for (const int candidate : tree_.candidatesOf(node)) owner_[candidate] = node;
     }
   }
+  const auto drop = [this](int node) {
+    const auto plane = std::find(planes_.begin(), planes_.end(), node);
+    if (plane == planes_.end()) return;
+    planes_.erase(plane);
+    others_.push_back(node);
+  };
   neighbors_.clear();
   for (const CandidateGrid::Link& link : grid.links) {
     const int a = owner_[link.a], b = owner_[link.b];
@@ -124,10 +132,11 @@ void PlaneClusterer::dropPiecesOfCurved(const CandidateGrid& grid) {
   for (std::size_t first = 0, last = 0; first < neighbors_.size(); first = last) {
     while (last < neighbors_.size() && neighbors_[last] == neighbors_[first]) ++last;
     const auto [small, large] = neighbors_[first];
-    const auto plane = std::find(planes_.begin(), planes_.end(), small);
-    if (last - first < kMinLinks || plane == planes_.end() || !tree_.isPieceOfCurved(small, large)) continue;
-    planes_.erase(plane);
-    others_.push_back(small);
+    if (last - first < kMinLinks || !tree_.isPieceOfCurved(small, large)) continue;
+    drop(small);
+    const int candidates = tree_.node(small).candidates + tree_.node(large).candidates;
+    const double max_bend = allowDistortion(parameters.max_bend, candidates * fraction_per_candidate);
+    if (tree_.varianceOfBoth(small, large) > max_bend) drop(large);
   }
 }
 
@@ -149,7 +158,7 @@ void PlaneClusterer::cluster(const DepthImage& depth, const ViewRays& rays, cons
   for (int i = 0; i < tree_.size(); ++i) {
     if (tree_.isRoot(i)) addPlanes(i, distorted_fraction, min_candidates, parameters.clusters);
   }
-  dropPiecesOfCurved(grid);
+  dropPiecesOfCurved(grid, distorted_fraction, parameters.clusters);
   coplanar_merger_.merge(depth, rays, grid, parameters, tree_, planes_);
 
   clusters.clear();

@@ -22,8 +22,9 @@ struct PlaneCluster : FittedPixels {
 /// Candidates that follow each other on a line segment grow together (MergeTree). A cluster is a plane if it
 /// is flat and not curved. Of a cluster that is not, its parts are planes if most of it belongs to such parts
 /// and they explain it better than one quadric surface; otherwise it is a curved or rough surface. A plane
-/// and a larger neighbour that one quadric surface explains as well are pieces of a curved surface: the
-/// smaller one is no plane. Coplanar planes are merged across what occludes them.
+/// and a larger neighbour that one quadric surface explains as well are pieces of a curved surface, and the
+/// smaller one is no plane; nor is the larger one if both are bent too much. Coplanar planes are merged
+/// across what occludes them.
 class PlaneClusterer {
  public:
   /// @param distortion  ratio of the depth errors over several candidates to those within one, at least 1
@@ -39,7 +40,8 @@ class PlaneClusterer {
                 const ClusterParameters& parameters);
   void addPlanes(int root, double fraction_per_candidate, int min_candidates,
                  const ClusterParameters& parameters);
-  void dropPiecesOfCurved(const CandidateGrid& grid);
+  void dropPiecesOfCurved(const CandidateGrid& grid, double fraction_per_candidate,
+                          const ClusterParameters& parameters);
 
   void addCluster(int node, bool is_plane, const CandidateGrid& grid, std::vector<PlaneCluster>& clusters,
                   std::vector<int>& cluster_at);
