@@ -126,7 +126,8 @@ void PlaneClusterer::dropPiecesOfCurved(const CandidateGrid& grid, double fracti
     const int a = owner_[link.a], b = owner_[link.b];
     if (a < 0 || b < 0 || a == b) continue;
     const bool is_a_smaller = tree_.node(a).candidates < tree_.node(b).candidates;
-    neighbors_.push_back(is_a_smaller ? std::pair(a, b) : std::pair(b, a));
+    const auto [small, large] = is_a_smaller ? std::pair(a, b) : std::pair(b, a);
+    if (tree_.node(large).candidates >= kMinCurved) neighbors_.push_back({small, large});
   }
   std::sort(neighbors_.begin(), neighbors_.end());
   for (std::size_t first = 0, last = 0; first < neighbors_.size(); first = last) {
