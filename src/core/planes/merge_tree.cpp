@@ -215,16 +215,13 @@ bool MergeTree::compare(const CandidateGrid::Link& link, double limit, double fr
   Comparison& known = comparisonOf(a, b);
   if (known.a == a && known.b == b && !(known.cost < fraction)) return known.cost <= kHopeless;
   FittedPixels& both = nodes_[size_];
-  const bool is_plane = combine(a, b, both);
-  const double added = both.squared_error - node(a).squared_error - node(b).squared_error;
-  const double unit = limit * std::min(node(a).moments.pixels, node(b).moments.pixels);
-  const bool is_cheap = is_plane && added < fraction * unit;
-  if (is_cheap && !isTwoPlanes(a, b, both)) {
+  const double cost = combine(a, b, both) ? costOf(a, b, both) / limit : kNever;
+  if (cost < fraction && !isTwoPlanes(a, b, both)) {
     merge(a, b, both);
     return false;
   }
   // Two planes are compared again when either cluster has changed.
-  known = {a, b, is_cheap ? kHopeless : is_plane ? added / unit : kNever};
+  known = {a, b, cost < fraction ? kHopeless : cost};
   return known.cost <= kHopeless;
 }
 
