@@ -75,6 +75,7 @@ double bytesPerPixel(const Parameters& parameters, const std::vector<std::uint16
 struct MemoryBound {
   const char* preset;
   double bytes_per_pixel, of_ridges;
+  double after_simpler;  // room to grow again
 };
 
 class AnyImage : public testing::TestWithParam<MemoryBound> {};
@@ -110,13 +111,13 @@ TEST_P(AnyImage, NeedsNoMoreAfterSimplerOnes) {
   });
   const double bytes = static_cast<double>(peak) / (kWidth * kHeight);
   std::cout << bytes << " bytes a pixel\n";
-  EXPECT_LT(bytes, GetParam().bytes_per_pixel);
+  EXPECT_LT(bytes, GetParam().after_simpler);
 }
 
 INSTANTIATE_TEST_SUITE_P(Presets, AnyImage,
-                         testing::Values(MemoryBound{"kinect", 27.3, 27.3},
-                                         MemoryBound{"short_range", 90.0, 90.0},
-                                         MemoryBound{"paper", 40.0, 50.0}),
+                         testing::Values(MemoryBound{"kinect", 27.3, 27.3, 28.8},
+                                         MemoryBound{"short_range", 90.0, 90.0, 25.0},
+                                         MemoryBound{"paper", 40.0, 50.0, 31.0}),
                          [](const auto& bound) { return std::string(bound.param.preset); });
 
 }  // namespace

@@ -13,4 +13,12 @@ void reserveSparingly(std::size_t needed, std::vector<T>& vector) {
   if (needed > vector.capacity()) vector.reserve(needed + needed / 4 + 1024);
 }
 
+/// Resizes to new elements. The old memory is freed before more is allocated.
+template <typename T>
+void resizeAnew(std::size_t size, std::vector<T>& vector) {
+  vector.clear();
+  if (vector.capacity() < size) std::vector<T>().swap(vector);
+  vector.resize(size);
+}
+
 }  // namespace line_plane_segmentation

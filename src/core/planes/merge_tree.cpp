@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "kernels/sparing_growth.h"
 #include "planes/quadric_fit.h"
 
 namespace line_plane_segmentation {
@@ -43,10 +44,9 @@ void MergeTree::start(const CandidateGrid& grid, const DepthTolerance& step_tole
   const std::vector<CrossingCandidate>& candidates = grid.candidates;
   size_ = leaves_ = static_cast<int>(candidates.size());
   if (nodes_.size() < 2 * candidates.size()) {
-    nodes_.clear();  // otherwise it may grow to twice the size
-    nodes_.resize(2 * candidates.size());
+    resizeAnew(2 * candidates.size(), nodes_);
+    resizeAnew(2 * candidates.size(), parent_);
   }
-  parent_.resize(2 * candidates.size());
   next_.assign(candidates.size(), -1);
   for (int i = 0; i < leaves_; ++i) {
     const CrossingCandidate& candidate = candidates[i];

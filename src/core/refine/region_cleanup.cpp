@@ -64,7 +64,7 @@ int RegionCleaner::find(int run) {
 
 // Hangs runs of one label that touch under the first of them, and lists the borders between labels.
 void RegionCleaner::connect(const LabelRuns& image) {
-  component_of_run_.resize(image.runs.size());
+  resizeAnew(image.runs.size(), component_of_run_);
   std::iota(component_of_run_.begin(), component_of_run_.end(), 0);
   border_count_ = 0;
   forEachVerticalContact(image, [&](std::size_t above, std::size_t below) {
@@ -94,10 +94,7 @@ void RegionCleaner::numberComponents(const LabelRuns& image) {
     component_of_run_[i] = has_depth * component_of_run_[parent];
     count += parent == i ? has_depth : 0;
   }
-  // Clutter has nearly as many components as runs: the old memory is freed before the new is allocated.
-  components_.clear();
-  if (components_.capacity() < static_cast<std::size_t>(count)) std::vector<Component>().swap(components_);
-  components_.resize(static_cast<std::size_t>(count));
+  resizeAnew(static_cast<std::size_t>(count), components_);
 }
 
 void RegionCleaner::measureComponents(int min_region_pixels, const LabelRuns& image) {
@@ -154,8 +151,7 @@ void RegionCleaner::vote(Border& border, int length, int touching, const LabelRu
 // Where small components touch large ones.
 void RegionCleaner::voteForTargets(const DepthImage& depth, const Parameters& parameters,
                                    const LabelRuns& image) {
-  touching_.clear();  // otherwise it may grow to twice the size
-  touching_.resize(border_count_);
+  resizeAnew(border_count_, touching_);
   const StepTest step(parameters);
   for (std::size_t k = 0; k < vertical_count_; ++k) {
     const LabelRun &above = image.runs[borders_[k].first], &below = image.runs[borders_[k].second];
