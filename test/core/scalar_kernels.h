@@ -5,8 +5,8 @@
 #include "kernels/row_kernels.h"
 #include "lines/line_kernels.h"
 
-/// The vectorised functions of row_kernels.h, line_kernels.h and hole_kernels.h compiled once more, one pixel after the
-/// other and for the plainest of machines.
+/// The vectorised functions of row_kernels.h, line_kernels.h and hole_kernels.h compiled once more, one pixel
+/// after the other and for the plainest of machines.
 namespace scalar_twin {
 namespace line_plane_segmentation {
 
