@@ -145,6 +145,19 @@ TEST(MergeTree, CostIsTheAddedErrorPerPixelOfTheSmaller) {
   EXPECT_EQ(tree.find(1), tree.leaves());
 }
 
+TEST(MergeTree, MergesPartsOfClustersOnceMore) {
+  Tree tree(noisy(render(surfaceAt(2.0), kCamera, kWidth, kHeight), 1.0));
+  ASSERT_EQ(tree.size(), 2 * tree.leaves() - 1);
+  for (int i = 0; i + 1 < tree.leaves(); i += 2) {
+    FittedPixels both;
+    ASSERT_TRUE(tree.combine(i, i + 1, both));
+    const int merged = tree.merge(i, i + 1, both);
+    EXPECT_EQ(merged, tree.size() - 1);
+    EXPECT_EQ(tree.node(merged).candidates, 2);
+    EXPECT_EQ(tree.find(i), merged);
+  }
+}
+
 /// As MergeTree::mergeLinked(), without what it remembers.
 void mergeWithoutMemory(std::vector<CandidateGrid::Link> links, double limit, MergeTree& tree) {
   for (const double fraction : {1.0 / 16, 1.0 / 4, 1.0, 1.0}) {

@@ -74,6 +74,11 @@ double MergeTree::costOf(int a, int b, const FittedPixels& both) const {
 }
 
 int MergeTree::merge(int a, int b, const FittedPixels& both) {
+  // Only parts of clusters, which are merged once more, can need more room than there is.
+  if (size_ == static_cast<int>(nodes_.size())) {
+    nodes_.emplace_back();
+    parent_.emplace_back();
+  }
   const int merged = size_++;
   const Node &first = node(a), &second = node(b);
   Node& node = nodes_[merged];

@@ -61,7 +61,7 @@ class MergeTree {
   /// The cost of merging two roots into `both` [tolerance²].
   double costOf(int a, int b, const FittedPixels& both) const;
 
-  /// Appends a merged cluster and returns its index. `both` may be the node behind the last one.
+  /// Appends a merged cluster and returns its index. Parts of clusters may be merged once more.
   int merge(int a, int b, const FittedPixels& both);
 
   /// Whether two planes explain the candidates of two clusters much better than one plane, and there is a
