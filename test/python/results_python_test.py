@@ -221,6 +221,8 @@ except TypeError:
         self.assertGreater(len(candidates), 10)
         np.testing.assert_allclose(1.0, np.linalg.norm(candidates["normal"], axis=1))
         self.assertTrue(np.all((candidates["curvature"] >= 0.0) & (candidates["curvature"] <= 1.0 / 3.0)))
+        # The wall's depth is exact, the floor's is rounded.
+        self.assertTrue(np.all(candidates["curvature"][candidates["v"] > 110] > 0.0))
         ray = np.stack([(candidates["u"] - CAMERA[2]) / CAMERA[0], (candidates["v"] - CAMERA[3]) / CAMERA[1],
                         np.ones(len(candidates))], axis=1)
         depth = -candidates["d"] / np.sum(candidates["normal"] * ray, axis=1)

@@ -22,47 +22,39 @@ inline void store(const Numbers& numbers, double* to) {
   std::memcpy(to, &numbers, sizeof numbers);
 }
 
-// Sums as many windows, from `first` on, as there are numbers in `Single`. Distances from a window's first
-// ray and from the inverse depth of its first valid pixel are small, so that single precision is finer than
-// any sensor's steps.
+// Sums as many windows, from `first` on, as there are numbers in `Single`. Inverse depths are divided in
+// single precision, which is finer than any sensor's steps, and summed in double precision.
 template <typename Single, typename Double>
 inline void sumBlock(const float* z, const float* t, int pixels, int windows, int first,
                      const LineSumLanes& sums) {
   const Single none = {}, one = none + 1.0F;
-  Single n = none, t_0 = none, rho_0 = none;
-  Single dt = none, dt_dt = none, dr = none, dt_dr = none, dr_dr = none;
-  std::memcpy(&t_0, t + first, sizeof t_0);
+  const Double zero = {};
+  Single n = none;
+  Double sum_t = zero, sum_tt = zero, sum_rho = zero, sum_t_rho = zero, sum_rho_rho = zero;
   for (std::ptrdiff_t k = 0; k < pixels; ++k) {
-    Single depth, ray;
+    Single depth, single_ray;
     std::memcpy(&depth, z + k * windows + first, sizeof depth);
-    std::memcpy(&ray, t + k * windows + first, sizeof ray);
+    std::memcpy(&single_ray, t + k * windows + first, sizeof single_ray);
     const auto valid = depth > none;
-    const Single rho = one / depth;
-    rho_0 = valid & (n == none) ? rho : rho_0;
     n += valid ? one : none;
-    const Single t_from = valid ? ray - t_0 : none, rho_from = valid ? rho - rho_0 : none;
-    dt += t_from;
-    dt_dt += t_from * t_from;
-    dr += rho_from;
-    dt_dr += t_from * rho_from;
-    dr_dr += rho_from * rho_from;
+    const Single valid_ray = valid ? single_ray : none, single_rho = valid ? one / depth : none;
+    Double ray, rho;
+    convert(valid_ray, ray);
+    convert(single_rho, rho);
+    sum_t += ray;
+    sum_tt += ray * ray;
+    sum_rho += rho;
+    sum_t_rho += ray * rho;
+    sum_rho_rho += rho * rho;
   }
-  Double count, t0, rho0, t1, tt, rho1, t_rho, rho_rho;
+  Double count;
   convert(n, count);
-  convert(t_0, t0);
-  convert(rho_0, rho0);
-  convert(dt, t1);
-  convert(dt_dt, tt);
-  convert(dr, rho1);
-  convert(dt_dr, t_rho);
-  convert(dr_dr, rho_rho);
-  const Double sum_t = t1 + count * t0, sum_rho = rho1 + count * rho0;
   store(count, sums.n + first);
   store(sum_t, sums.t + first);
-  store(tt + t0 * (t1 + sum_t), sums.tt + first);
+  store(sum_tt, sums.tt + first);
   store(sum_rho, sums.rho + first);
-  store(t_rho + t0 * rho1 + rho0 * sum_t, sums.t_rho + first);
-  store(rho_rho + rho0 * (rho1 + sum_rho), sums.rho_rho + first);
+  store(sum_t_rho, sums.t_rho + first);
+  store(sum_rho_rho, sums.rho_rho + first);
 }
 
 }  // namespace

@@ -9,9 +9,7 @@ struct LineSumLanes {
   double *n, *t, *tt, *rho, *t_rho, *rho_rho;
 };
 
-/// Sums windows of `pixels` pixels each. The inverse depth of a pixel has single precision, and so have the
-/// sums of differences from the first ray and from the first valid inverse depth of a window, from which the
-/// sums are made.
+/// Sums windows of `pixels` pixels each. The inverse depth of a pixel has single precision.
 /// @param z     [m] depth: pixel k of window i is z[k * windows + i], 0 if invalid
 /// @param t     ray coordinate along the scanline, in the same order
 /// @param sums  receives one element per window

@@ -30,10 +30,14 @@ constexpr std::size_t kEnoughPoints = 128;  // of a quadric: so many are sampled
 constexpr int kMinCompared = 8;             // candidates of either cluster: a plane has three parameters
 constexpr double kVarianceFloor = 0.05;     // [tolerance²] deviations below it do not count
 
-double squaredError(const MergeTree::Node& node) {
+double squaredError(const RegressionMoments& means) {
   InverseDepthPlane plane;
   double squared_error = 0.0;
-  return node.means.fit(plane, squared_error) ? squared_error : 0.0;
+  return means.fit(plane, squared_error) ? squared_error : 0.0;
+}
+
+double varianceOf(const RegressionMoments& means, int candidates) {
+  return candidates < 4 ? 0.0 : squaredError(means) / (candidates - 3);
 }
 
 }  // namespace
@@ -94,17 +98,10 @@ int MergeTree::merge(int a, int b, const FittedPixels& both) {
   return merged;
 }
 
-double MergeTree::variance(int i) const {
-  const Node& n = node(i);
-  return n.candidates < 4 ? 0.0 : squaredError(n) / (n.candidates - 3);
-}
+double MergeTree::variance(int i) const { return varianceOf(node(i).means, node(i).candidates); }
 
 double MergeTree::varianceOfBoth(int a, int b) const {
-  InverseDepthPlane plane;
-  double squares = 0.0;
-  const bool is_plane = (node(a).means + node(b).means).fit(plane, squares);
-  const int candidates = node(a).candidates + node(b).candidates;
-  return is_plane && candidates >= 4 ? squares / (candidates - 3) : 0.0;
+  return varianceOf(node(a).means + node(b).means, node(a).candidates + node(b).candidates);
 }
 
 void MergeTree::appendCandidates(int i) {
@@ -182,10 +179,8 @@ bool MergeTree::isTwoPlanes(int a, int b, const FittedPixels& both) {
   const int fewer = std::min(first.candidates, second.candidates);
   const int degrees_of_freedom = first.candidates + second.candidates - 6;
   if (fewer < kMinCompared) return false;
-  InverseDepthPlane plane;
-  double common = 0.0;
-  if (!(first.means + second.means).fit(plane, common)) return false;
-  const double apart = squaredError(first) + squaredError(second);
+  const double common = squaredError(first.means + second.means);
+  const double apart = squaredError(first.means) + squaredError(second.means);
   const double bound = kTwoPlanes * (apart / degrees_of_freedom + kVarianceFloor) * fewer;
   if (common - apart < bound) return false;
   // Distortion bends planes smoothly, as a quadric does. But a quadric may explain a step as well.
@@ -196,11 +191,9 @@ bool MergeTree::isPieceOfCurved(int piece, int rest) {
   const Node &first = node(piece), &second = node(rest);
   if (second.candidates < std::max(kMinCompared, first.candidates)) return false;
   const int candidates = first.candidates + second.candidates;
-  InverseDepthPlane plane;
-  double about_plane = 0.0;
-  if (!(first.means + second.means).fit(plane, about_plane)) return false;
-  const double about_quadric = quadricVarianceOfBoth(piece, rest, plane) * (candidates - 6);
-  const double apart = squaredError(first) + quadricVariance(rest) * (second.candidates - 6);
+  const double about_plane = squaredError(first.means + second.means);
+  const double about_quadric = quadricVarianceOfBoth(piece, rest, second.plane) * (candidates - 6);
+  const double apart = squaredError(first.means) + quadricVariance(rest) * (second.candidates - 6);
   const double bound = (apart / candidates + kVarianceFloor) * first.candidates;
   return about_quadric - apart < bound && about_quadric < kMaxResidualRatio * about_plane;
 }
