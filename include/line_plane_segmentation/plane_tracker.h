@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "line_plane_segmentation/camera_intrinsics.h"
-#include "line_plane_segmentation/eigen_types.h"
 #include "line_plane_segmentation/segmentation.h"
 
 namespace line_plane_segmentation {

@@ -1,13 +1,47 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <Eigen/Core>
+#include <Eigen/Geometry>
 #include <cstdint>
 #include <vector>
 
-#include "line_plane_segmentation/eigen_types.h"
-
 namespace line_plane_segmentation {
+
+/// Eigen types of the public interface that Eigen would otherwise align to the widest vector register that
+/// the compiler's flags allow. Their size and alignment would then differ between a program built with
+/// `-mavx2` and a library built without it. Eigen::Vector3d and Eigen::Vector3f are never aligned and are
+/// used as they are. Conversions from and to Eigen's default types are implicit.
+using Covariance2d = Eigen::Matrix<double, 2, 2, Eigen::DontAlign>;
+using Covariance4d = Eigen::Matrix<double, 4, 4, Eigen::DontAlign>;
+
+/// Rotation and translation without alignment requirements, for the same reason as Covariance2d.
+using RigidTransform = Eigen::Transform<double, 3, Eigen::Isometry, Eigen::DontAlign>;
+
+/// Direction of a scanline in the image.
+enum class ScanDirection : unsigned char { kRow, kColumn };
+
+/// Straight segment of one scanline: the line primitive of the paper.
+struct LineSegment {
+  ScanDirection direction = ScanDirection::kRow;
+  int scanline = 0;  ///< [px] row (or column) of the image
+  int first = 0;     ///< [px] column (or row) of its first point
+  int last = 0;      ///< [px] column (or row) of its last point, inclusive
+  int points = 0;    ///< number of valid pixels from first to last
+
+  /// Polar form in the 2-D scan (Eq. 1-3): Sx cos(alpha) + Sy sin(alpha) = r.
+  double alpha = 0.0;                              ///< [rad]
+  double r = 0.0;                                  ///< [m], not negative
+  Covariance2d covariance = Covariance2d::Zero();  ///< covariance of (alpha, r) from the noise model, Eq. 5
+};
+
+/// Local plane at a pixel of a line segment, from which a plane can be extracted.
+struct PlaneCandidate {
+  int u = 0;                                         ///< [px] column of the pixel
+  int v = 0;                                         ///< [px] row of the pixel
+  Eigen::Vector3d normal = Eigen::Vector3d::Zero();  ///< unit normal, towards the camera
+  double d = 0.0;                                    ///< [m] normal . p + d = 0
+  double curvature = 0.0;  ///< ratio of the smallest eigenvalue to the sum of all three, 0 (flat) to 1/3
+};
 
 /// Closed ring of a plane's outline: a range of Segmentation::vertices.
 struct Ring {
@@ -49,5 +83,17 @@ struct Segmentation {
   std::uint32_t valid_pixels = 0;         ///< number of pixels with a depth in range
   std::uint32_t assigned_pixels = 0;      ///< number of pixels with a label
 };
+
+/// Assigns each hole of a plane to the connected part of the plane that contains it: the smallest outer ring
+/// that encloses most of the hole's vertices. If simplification has moved all of a hole's vertices out of the
+/// outer rings, the hole belongs to the largest part.
+/// @param plane  one of segmentation.planes
+/// @return index of the part's outer ring per hole, in the order of the rings; 0 is the largest part
+std::vector<int> partsOfHoles(const Segmentation& segmentation, const SegmentedPlane& plane);
+
+/// Transforms coefficients, their covariance and the centroid of a plane from the optical frame to another
+/// one. The normal still points towards the camera, which need not be at the origin, so d can be negative.
+/// @param target_from_optical  maps points of the optical frame to the target frame
+SegmentedPlane transformed(const SegmentedPlane& plane, const RigidTransform& target_from_optical);
 
 }  // namespace line_plane_segmentation

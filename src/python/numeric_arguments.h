@@ -4,7 +4,7 @@
 #include <pybind11/pybind11.h>
 
 #include "line_plane_segmentation/camera_intrinsics.h"
-#include "line_plane_segmentation/eigen_types.h"
+#include "line_plane_segmentation/segmentation.h"
 
 namespace line_plane_segmentation {
 

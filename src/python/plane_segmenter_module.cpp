@@ -12,7 +12,6 @@
 #include "line_plane_segmentation/palette.h"
 #include "line_plane_segmentation/parameters.h"
 #include "line_plane_segmentation/plane_segmenter.h"
-#include "line_plane_segmentation/stage_clock.h"
 #include "modules.h"
 #include "numeric_arguments.h"
 #include "segmentation_arrays.h"

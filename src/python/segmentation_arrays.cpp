@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "line_plane_segmentation/plane_transform.h"
+#include "line_plane_segmentation/segmentation.h"
 
 namespace line_plane_segmentation {
 namespace {

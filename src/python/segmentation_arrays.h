@@ -6,8 +6,6 @@
 #include <vector>
 
 #include "initialised.h"
-#include "line_plane_segmentation/line_segment.h"
-#include "line_plane_segmentation/plane_candidate.h"
 #include "line_plane_segmentation/segmentation.h"
 
 namespace line_plane_segmentation {

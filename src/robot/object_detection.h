@@ -9,7 +9,6 @@
 
 #include "line_plane_segmentation/camera_intrinsics.h"
 #include "line_plane_segmentation/depth_view.h"
-#include "line_plane_segmentation/eigen_types.h"
 #include "line_plane_segmentation/parameters.h"
 #include "line_plane_segmentation/segmentation.h"
 

@@ -11,8 +11,6 @@
 
 #include "line_plane_segmentation/camera_intrinsics.h"
 #include "line_plane_segmentation/depth_view.h"
-#include "line_plane_segmentation/line_segment.h"
-#include "line_plane_segmentation/plane_candidate.h"
 #include "line_plane_segmentation/segmentation.h"
 #include "published_planes.h"
 

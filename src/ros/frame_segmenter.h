@@ -16,7 +16,6 @@
 #include "input_frame.h"
 #include "line_plane_segmentation/parameters.h"
 #include "line_plane_segmentation/plane_segmenter.h"
-#include "line_plane_segmentation/stage_clock.h"
 
 namespace line_plane_segmentation {
 

@@ -13,7 +13,6 @@
 
 #include "image_validation.h"
 #include "line_plane_segmentation/plane_segmenter.h"
-#include "line_plane_segmentation/stage_clock.h"
 
 namespace line_plane_segmentation {
 

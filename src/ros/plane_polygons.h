@@ -6,7 +6,6 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "line_plane_segmentation/hole_parts.h"
 #include "line_plane_segmentation/segmentation.h"
 
 namespace line_plane_segmentation {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstddef>
 
-#include "line_plane_segmentation/plane_transform.h"
+#include "line_plane_segmentation/segmentation.h"
 
 namespace line_plane_segmentation {
 

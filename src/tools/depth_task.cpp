@@ -13,7 +13,6 @@
 #include "interruption.h"
 #include "line_plane_segmentation/palette.h"
 #include "line_plane_segmentation/plane_segmenter.h"
-#include "line_plane_segmentation/stage_clock.h"
 #include "ordered_work.h"
 #include "output_files.h"
 #include "overlay.h"

@@ -4,8 +4,8 @@
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 
+#include "line_plane_segmentation/plane_segmenter.h"
 #include "line_plane_segmentation/segmentation.h"
-#include "line_plane_segmentation/stage_clock.h"
 
 namespace line_plane_segmentation {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "line_plane_segmentation/hole_parts.h"
+#include "line_plane_segmentation/segmentation.h"
 
 #include <gtest/gtest.h>
 

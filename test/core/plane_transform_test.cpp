@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Against points that are moved one by one, and against the algebra of homogeneous coordinates.
-#include "line_plane_segmentation/plane_transform.h"
+#include "line_plane_segmentation/segmentation.h"
 
 #include <gtest/gtest.h>
 

@@ -7,7 +7,7 @@
 
 #include "depth/depth_image.h"
 #include "line_plane_segmentation/parameters.h"
-#include "line_plane_segmentation/plane_candidate.h"
+#include "line_plane_segmentation/segmentation.h"
 #include "planes/plane_fit.h"
 
 namespace line_plane_segmentation {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "line_plane_segmentation/plane_transform.h"
+#include "line_plane_segmentation/segmentation.h"
 
 namespace line_plane_segmentation {
 

@@ -5,8 +5,8 @@
 
 #include "depth/depth_image.h"
 #include "line_plane_segmentation/camera_intrinsics.h"
-#include "line_plane_segmentation/line_segment.h"
 #include "line_plane_segmentation/parameters.h"
+#include "line_plane_segmentation/segmentation.h"
 #include "lines/scanline.h"
 
 namespace line_plane_segmentation {

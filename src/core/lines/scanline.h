@@ -5,7 +5,7 @@
 
 #include "depth/depth_image.h"
 #include "line_plane_segmentation/camera_intrinsics.h"
-#include "line_plane_segmentation/line_segment.h"
+#include "line_plane_segmentation/segmentation.h"
 
 namespace line_plane_segmentation {
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "depth/depth_image.h"
-#include "line_plane_segmentation/line_segment.h"
+#include "line_plane_segmentation/segmentation.h"
 #include "lines/line_sums.h"
 
 namespace line_plane_segmentation {

@@ -6,10 +6,9 @@
 
 #include "depth/depth_image.h"
 #include "line_plane_segmentation/camera_intrinsics.h"
-#include "line_plane_segmentation/line_segment.h"
 #include "line_plane_segmentation/parameters.h"
-#include "line_plane_segmentation/plane_candidate.h"
 #include "line_plane_segmentation/plane_segmenter.h"
+#include "line_plane_segmentation/segmentation.h"
 #include "refine/label_runs.h"
 #include "refine/plane_estimate.h"
 

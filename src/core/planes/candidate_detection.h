@@ -4,9 +4,8 @@
 #include <vector>
 
 #include "depth/depth_image.h"
-#include "line_plane_segmentation/line_segment.h"
 #include "line_plane_segmentation/parameters.h"
-#include "line_plane_segmentation/plane_candidate.h"
+#include "line_plane_segmentation/segmentation.h"
 
 namespace line_plane_segmentation {
 

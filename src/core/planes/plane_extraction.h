@@ -7,8 +7,8 @@
 
 #include "depth/depth_image.h"
 #include "line_plane_segmentation/parameters.h"
-#include "line_plane_segmentation/plane_candidate.h"
 #include "line_plane_segmentation/plane_segmenter.h"
+#include "line_plane_segmentation/segmentation.h"
 
 namespace line_plane_segmentation {
 

@@ -3,7 +3,7 @@
 
 #include <Eigen/Core>
 
-#include "line_plane_segmentation/eigen_types.h"
+#include "line_plane_segmentation/segmentation.h"
 #include "planes/plane_clustering.h"
 #include "planes/plane_fit.h"
 

@@ -6,7 +6,7 @@
 #include <line_plane_segmentation/orientation.h>
 #include <line_plane_segmentation/plane_segmenter.h>
 #include <line_plane_segmentation/plane_tracker.h>
-#include <line_plane_segmentation/plane_transform.h>
+#include <line_plane_segmentation/segmentation.h>
 
 #include <cmath>
 #include <cstdint>
