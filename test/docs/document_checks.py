@@ -5,6 +5,7 @@ arguments that the commands use, and code examples are those of doc/examples.
 
     test/docs/document_checks.py
 """
+import fractions
 import glob
 import os
 import re
@@ -26,6 +27,24 @@ def read(*path):
 
 def lines(items):
     return "".join("\n  " + item for item in items)
+
+
+def constants_of_the_core():
+    """((file, name), value) of each constant in src/core that is a number; those of the kernels are widths and bit masks."""
+    not_of_the_method = {"kPi", "kBlock", "kSeenInByte", "kNoDepthLabel"}
+    types = "double|float|int|std::size_t|std::int64_t|std::uint32_t|std::ptrdiff_t|std::uint16_t"
+    for path in glob.glob(os.path.join(ROOT, "src", "core", "**", "*.*"), recursive=True):
+        if os.sep + "kernels" + os.sep in path or not path.endswith((".h", ".cpp")):
+            continue
+        code = re.sub(r"//.*", "", read(path))
+        for definitions in re.findall(r"constexpr (?:%s) (k[^;{]+);" % types, code):
+            for name, numbers, operator, more in re.findall(
+                    r"(k\w+)\s*=\s*(-?[\d.e-]+)F?(?: ([*/]) ([\d.]+))?(?=$|,)", definitions):
+                value = fractions.Fraction(numbers)
+                if operator:
+                    value = value * int(more) if operator == "*" else value / int(float(more))
+                if name not in not_of_the_method:
+                    yield (os.path.splitext(os.path.basename(path))[0], name), value
 
 
 class DocumentChecks(unittest.TestCase):
@@ -88,6 +107,11 @@ class DocumentChecks(unittest.TestCase):
             pattern = r".*?".join(re.escape(line) for line in block.lines if line)
             self.assertTrue(any(re.search(pattern, source, re.DOTALL) for source in sources),
                             "%s:%d: no file of doc/examples has these lines" % (block.document, block.line))
+
+    def test_the_method_lists_the_constants_of_the_core(self):
+        listed = {(file, name): fractions.Fraction(value) for file, name, value in
+                  re.findall(r"^\| (\w+) \| `(k\w+)` \| (\S+) \|", read("doc", "method.md"), re.MULTILINE)}
+        self.assertEqual(dict(constants_of_the_core()), listed)
 
 
 if __name__ == "__main__":
