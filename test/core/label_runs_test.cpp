@@ -140,19 +140,20 @@ Labels joined(const Labels& labels, int max_pixels) {
 TEST(LabelRuns, JoinOverSpeckles) {
   const std::uint16_t none = kNoDepthLabel;
   EXPECT_EQ(joined({1, 1, 0, 1, 1}, 1), (Labels{1, 1, 1, 1, 1}));
-  EXPECT_EQ(joined({1, 1, 2, 2, 1}, 2), (Labels{1, 1, 1, 1, 1}));
-  EXPECT_EQ(joined({1, 1, 2, 2, 1}, 1), (Labels{1, 1, 2, 2, 1})) << "too wide";
+  EXPECT_EQ(joined({1, 1, 0, 0, 1}, 2), (Labels{1, 1, 1, 1, 1}));
+  EXPECT_EQ(joined({1, 1, 0, 0, 1}, 1), (Labels{1, 1, 0, 0, 1})) << "too wide";
+  EXPECT_EQ(joined({1, 1, 2, 2, 1}, 3), (Labels{1, 1, 2, 2, 1})) << "another plane";
   EXPECT_EQ(joined({1, 0, 2}, 3), (Labels{1, 0, 2})) << "between two labels";
   EXPECT_EQ(joined({1, none, 1}, 3), (Labels{1, none, 1})) << "no depth there";
   EXPECT_EQ(joined({none, 1, none}, 3), (Labels{none, 1, none})) << "no depth around it";
-  EXPECT_EQ(joined({0, 1, 0, 0}, 3), (Labels{0, 0, 0, 0})) << "no plane is a label, too";
-  EXPECT_EQ(joined({1, 0, 1, 2, 1, 0, 1}, 1), (Labels{1, 1, 1, 1, 1, 1, 1})) << "several in a row";
+  EXPECT_EQ(joined({0, 1, 0, 0}, 3), (Labels{0, 1, 0, 0})) << "a plane in none";
+  EXPECT_EQ(joined({1, 0, 1, 0, 0, 1, 0, 1}, 2), (Labels{1, 1, 1, 1, 1, 1, 1, 1})) << "several in a row";
   EXPECT_EQ(joined({0, 1}, 3), (Labels{0, 1}));
   EXPECT_EQ(joined({7}, 3), (Labels{7}));
 }
 
 TEST(LabelRuns, JoinOverSpecklesOnlyIfTheyAreAlike) {
-  LabelRuns runs = rowOf({1, 1, 0, 1, 2, 2, 1});
+  LabelRuns runs = rowOf({1, 1, 0, 1, 0, 0, 1});
   std::vector<std::pair<int, int>> asked;
   runs.joinOverSpeckles(3, [&](const LabelRun& before, const LabelRun& speckle, const LabelRun& after) {
     EXPECT_EQ(before.last, speckle.first);

@@ -59,14 +59,18 @@ struct Scan : ScanlineSet {
   }
 };
 
-TEST(LineGrower, TakesAWindowForStraightUpToTwiceTheSquaredTolerance) {
-  const auto is_straight = [](double mean_square) {
+TEST(LineGrower, DropsASingleWindowThatIsNotFlat) {
+  const auto is_segment = [](double mean_square, int windows) {
     Scan scan(40);
-    scan.add(40, [&](int i) { return kRho + (i % 2 == 0 ? 1 : -1) * std::sqrt(mean_square) * tolerance(); });
+    for (int k = 0; k < windows; ++k)
+      scan.add(40,
+               [&](int i) { return kRho + (i % 2 == 0 ? 1 : -1) * std::sqrt(mean_square) * tolerance(); });
     return !scan.grow().empty();
   };
-  EXPECT_TRUE(is_straight(1.6));
-  EXPECT_FALSE(is_straight(2.6));
+  const double bound = parametersOfNoise().patches.patch_flatness;
+  EXPECT_TRUE(is_segment(0.95 * bound, 1));
+  EXPECT_FALSE(is_segment(1.05 * bound, 1));
+  EXPECT_TRUE(is_segment(1.05 * bound, 2)) << "a neighbour continues it";
 }
 
 TEST(LineGrower, UsesWindowsOfTwoPixels) {

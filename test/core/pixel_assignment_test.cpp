@@ -145,8 +145,7 @@ void expectAsBruteForce(const Assignment& assignment) {
       for (int u = first; u < last; ++u) {
         const std::uint16_t found = assignment.labels[assignment.depth.index(u, v)];
         if (found == label(u) || is_close[static_cast<std::size_t>(u)]) continue;
-        const bool is_speckle =
-            last - first <= kMaxSpeckle && label(u) != kNoDepthLabel && first > 0 && last < width;
+        const bool is_speckle = last - first <= kMaxSpeckle && label(u) == 0 && first > 0 && last < width;
         ASSERT_TRUE(is_speckle && (found == label(first - 1) || found == label(last) || close_at(first - 1) ||
                                    close_at(last)))
             << u << ' ' << v << ": " << found << ", expected " << label(u) << assignment.errorsAt(u, v);
@@ -217,8 +216,8 @@ TEST(PixelAssigner, PartsTwoWallsAlongTheirCorner) {
   }
 }
 
-/// One plane with pixels of a row moved away, each by so many tolerances; what the first is labelled.
-std::uint16_t labelOfMovedPixels(const std::vector<double>& tolerances) {
+/// One plane with pixels of a row moved away, each by so many tolerances; the label of one of them.
+std::uint16_t labelOfMovedPixels(const std::vector<double>& tolerances, int pixel = 0) {
   const Surface surface = surfaceAt(1.5);
   Parameters parameters = adaptiveParameters(320);
   parameters.extraction.plane_distance = 0.001;  // so that the tolerance is that of the noise
@@ -228,23 +227,26 @@ std::uint16_t labelOfMovedPixels(const std::vector<double>& tolerances) {
   for (std::size_t i = 0; i < tolerances.size(); ++i)
     assignment.depth.row(100)[150 + i] = static_cast<float>(1.5 + tolerances[i] * sigma);
   assignment.assign(assigner);
-  return assignment.labels[assignment.depth.index(150, 100)];
+  return assignment.labels[assignment.depth.index(150 + pixel, 100)];
 }
 
-std::uint16_t labelOfMovedPixels(double tolerances, int pixels) {
-  return labelOfMovedPixels(std::vector<double>(static_cast<std::size_t>(pixels), tolerances));
+/// The label of pixels between others of the plane, which lie 0.8 tolerances from it.
+std::uint16_t labelOfSpeckle(const std::vector<double>& tolerances) {
+  std::vector<double> moved(10, 0.8);
+  moved.insert(moved.begin() + 5, tolerances.begin(), tolerances.end());
+  return labelOfMovedPixels(moved, 5);
 }
 
 TEST(PixelAssigner, JoinsOverASpeckleNearThePlane) {
-  EXPECT_EQ(labelOfMovedPixels(0.5, 20), 1) << "within the tolerance";
-  EXPECT_EQ(labelOfMovedPixels(1.5, 20), 0) << "beyond it";
-  EXPECT_EQ(labelOfMovedPixels(1.5, kMaxSpeckle), 1) << "a speckle";
-  EXPECT_EQ(labelOfMovedPixels(1.5, kMaxSpeckle + 1), 0) << "too wide for a speckle";
-  EXPECT_EQ(labelOfMovedPixels(5.0, kMaxSpeckle), 0) << "too far off for a speckle";
-  EXPECT_EQ(labelOfMovedPixels(2.5, kMaxSpeckle), 0) << "more than two tolerances";
+  EXPECT_EQ(labelOfMovedPixels(std::vector<double>(20, 0.95)), 1) << "within the tolerance";
+  EXPECT_EQ(labelOfMovedPixels(std::vector<double>(20, 1.05)), 0) << "beyond it";
+  EXPECT_EQ(labelOfSpeckle(std::vector<double>(kMaxSpeckle, 1.6)), 1) << "a speckle";
+  EXPECT_EQ(labelOfSpeckle(std::vector<double>(kMaxSpeckle + 1, 1.6)), 0) << "too wide for a speckle";
+  EXPECT_EQ(labelOfSpeckle(std::vector<double>(kMaxSpeckle, 2.1)), 0)
+      << "over a tolerance from its neighbours";
   for (const std::vector<double>& speckle :
-       {std::vector<double>{5.0, 1.5, 1.5}, {1.5, 5.0, 1.5}, {1.5, 1.5, 5.0}})
-    EXPECT_EQ(labelOfMovedPixels(speckle), 0) << "one of its pixels is";
+       {std::vector<double>{2.1, 1.6, 1.6}, {1.6, 2.1, 1.6}, {1.6, 1.6, 2.1}})
+    EXPECT_EQ(labelOfSpeckle(speckle), 0) << "one of its pixels is";
 }
 
 TEST(PixelAssigner, OfNoPlanesOrNoDepthGivesNoLabels) {
@@ -279,10 +281,10 @@ bool isLeftWall(int nearest, int farthest) {
   return labels[160 - nearest] == label;
 }
 
-// Half a tolerance along the ray is four to five pixels here.
-TEST(PixelAssigner, SplitsAtACreaseWithinHalfATolerance) {
-  EXPECT_TRUE(isLeftWall(1, 4));
-  EXPECT_FALSE(isLeftWall(6, 9));
+// A tolerance along the ray is nine to ten pixels here.
+TEST(PixelAssigner, SplitsAtACreaseWithinATolerance) {
+  EXPECT_TRUE(isLeftWall(1, 8));
+  EXPECT_FALSE(isLeftWall(11, 14));
 }
 
 }  // namespace

@@ -99,7 +99,7 @@ Labels cleaned(const Clutter& clutter, RegionCleaner& cleaner) {
 TEST(RegionCleanerFuzzTest, DoesWhatGoingPixelByPixelDoes) {
   RegionCleaner cleaner;
   int given = 0, left_alone = 0;
-  for (std::uint64_t seed = 1; seed <= 600; ++seed) {
+  for (std::uint64_t seed = 1; seed <= 1000; ++seed) {
     Random random(seed);
     const Clutter clutter(random);
     const Labels expected =

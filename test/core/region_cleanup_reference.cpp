@@ -12,7 +12,6 @@
 namespace line_plane_segmentation {
 namespace {
 
-constexpr int kMaxGapRegions = 8;
 constexpr double kMaxMeanError = 2.0;
 
 class Reference {
@@ -55,7 +54,7 @@ class Reference {
   bool isSmall(std::size_t pixel) const {
     if (labels_[pixel] == kNoDepthLabel) return false;
     const auto pixels = std::count(component_of_.begin(), component_of_.end(), component_of_[pixel]);
-    return pixels < parameters_.cleanup.min_region_pixels * (labels_[pixel] == 0 ? kMaxGapRegions : 1);
+    return pixels < parameters_.cleanup.min_region_pixels;
   }
 
   /// Whether a step in depth parts two neighbours: one that the noise of the farther one does not make.

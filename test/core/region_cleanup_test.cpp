@@ -81,13 +81,13 @@ TEST(RegionCleaner, GivesSmallPiecesToThePlaneAroundThem) {
 
 TEST(RegionCleaner, LeavesLargePieces) {
   TwoWalls walls;
-  walls.label(2, {5, 10, 5, 9});     // 20 pixels: as many as it takes for a piece of a plane
-  walls.label(0, {5, 15, 20, 36});   // 160 pixels: eight times as many for one of none
-  walls.label(0, {18, 23, 10, 14});  // 20 pixels
+  walls.label(2, {5, 10, 5, 9});     // 20 pixels: as many as it takes
+  walls.label(0, {5, 10, 20, 24});   // 20 pixels of no plane
+  walls.label(0, {18, 23, 10, 13});  // 15 pixels
   walls.clean();
   EXPECT_EQ(walls.at(7, 7), walls.at(50, 7));
-  EXPECT_EQ(walls.pixelsOf(0), 160);
-  EXPECT_EQ(walls.at(7, 25), 0);
+  EXPECT_EQ(walls.pixelsOf(0), 20);
+  EXPECT_EQ(walls.at(7, 22), 0);
 }
 
 // A box on a table lies near its plane, but one sees where it begins.
@@ -110,6 +110,7 @@ TEST(RegionCleaner, LeavesWhatStandsOutByAStep) {
 
 TEST(RegionCleaner, FillsAGapWhereAPlaneBends) {
   TwoWalls walls;
+  walls.parameters.cleanup.min_region_pixels = 101;
   const Region corner = {0, 10, 0, 10};
   for (int v = corner.first_v; v < corner.last_v; ++v) {
     for (int u = corner.first_u; u < corner.last_u; ++u) {
@@ -152,6 +153,7 @@ TEST(RegionCleaner, LeavesWhatRisesFromThePlaneWithoutAStep) {
   const auto pixels_in_no_plane = [&box](double height) {
     TwoWalls walls;
     walls.parameters.extraction.plane_distance = 0.0;
+    walls.parameters.cleanup.min_region_pixels = 141;
     for (int v = box.first_v; v < box.last_v; ++v) {
       const bool is_foot = v == box.first_v || v + 1 == box.last_v;
       for (int u = box.first_u; u < box.last_u; ++u) {

@@ -7,16 +7,12 @@
 namespace line_plane_segmentation {
 namespace {
 
-// [-] maximum mean squared error of a straight window, in tolerances squared: twice the expectation, since
-// the noise of neighbouring pixels is correlated.
-constexpr double kStraight = 2.0;
-
-// Bound of the added squared error of two neighbours, in tolerances squared. The first term is the noise's:
-// the 99 % quantile of chi-squared with two degrees of freedom (9.2) times the number of pixels that share
-// their error (kSharedErrors), which makes 110 sigma_z² or 43 tolerances²; halved,
-// since a missing join costs nothing where a crossing scanline connects both pieces. The second is the
-// sensor's distortion: one tolerance per pixel of the smaller piece.
-constexpr double kNoiseError = 20.0, kDistortionError = 1.0;
+// Noise's part of the bound of the added squared error of two neighbours, in tolerances squared: the 99 %
+// quantile of chi-squared with two degrees of freedom (9.2) times the number of pixels that share their error
+// (kSharedErrors), which makes 110 sigma_z² or 43 tolerances²; halved, since a missing join costs nothing
+// where a crossing scanline connects both pieces. The other part is the sensor's distortion: one tolerance
+// squared per pixel of the smaller piece.
+constexpr double kNoiseError = 20.0;
 
 constexpr double kMostAlike = 1.0 / 8;  // fraction of that bound for the first merges
 
@@ -29,11 +25,10 @@ void LineGrower::addWindow(int window, const LineSums& sums, double inv_k2, cons
   const InverseDepthLine line = fitInverseDepthLine(sums);
   const double inverse_distance2 = line.slope * line.slope + line.offset * line.offset * inv_k2;
   const double tolerance2 = tolerance.squaredAt(sums.rho * line.inv_n, inverse_distance2);
-  const bool is_straight = line.squared_error <= kStraight * tolerance2 * sums.n;
   // Stored one by one: a copy of the whole would be loaded before its parts have left the store buffer.
   Node& node = nodes_[count_];
   node.first = window;
-  node.last = is_straight ? window : -1;
+  node.last = window;
   node.sums = sums;
   node.squared_error = line.squared_error;
   node.tolerance2 = tolerance2;
@@ -42,11 +37,11 @@ void LineGrower::addWindow(int window, const LineSums& sums, double inv_k2, cons
 
 // Merges a segment with the one before it if that adds less than this fraction of the bound.
 bool LineGrower::mergeIfAlike(Node& before, const Node& node, double fraction) {
-  if (before.last < 0 || node.last < 0 || node.first - before.last > kMaxHole) return false;
+  if (node.first - before.last > kMaxHole) return false;
   const LineSums sums = before.sums + node.sums;
   const InverseDepthLine line = fitInverseDepthLine(sums);
-  const double bound = (kNoiseError + kDistortionError * std::min(before.sums.n, node.sums.n)) *
-                       std::min(before.tolerance2, node.tolerance2);
+  const double bound =
+      (kNoiseError + std::min(before.sums.n, node.sums.n)) * std::min(before.tolerance2, node.tolerance2);
   if (!(line.squared_error - before.squared_error - node.squared_error < fraction * bound)) return false;
   before.tolerance2 = (before.tolerance2 * before.sums.n + node.tolerance2 * node.sums.n) * line.inv_n;
   before.last = node.last;
@@ -85,7 +80,10 @@ void LineGrower::grow(const std::vector<float>& orthogonal_ray, const Parameters
     mergeNeighbors();
     for (int i = 0; i < count_; ++i) {
       const Node& node = nodes_[i];
-      if (node.last < 0 || node.sums.n < parameters.lines.min_line_points) continue;
+      const bool is_edge =  // a window with depths of two surfaces, which no neighbour continues
+          node.first == node.last &&
+          node.squared_error > parameters.patches.patch_flatness * node.tolerance2 * node.sums.n;
+      if (is_edge || node.sums.n < parameters.lines.min_line_points) continue;
       const auto at = set.segment_of.begin() + static_cast<std::ptrdiff_t>(set.indexOf(k, 0));
       std::fill(at + node.first, at + node.last + 1, static_cast<int>(set.segments.size()));
       set.segments.push_back({k, node.first, node.last, node.sums, node.squared_error, node.tolerance2});
@@ -118,10 +116,9 @@ void NoiseMeter::collect(const ScanlineSet& set, const NoiseParameters& noise, i
 // @param chi_squared  the quantile of chi-squared with one degree of freedom
 double NoiseMeter::ratioOver(const ScanlineSet& rows, const ScanlineSet& columns,
                              const NoiseParameters& noise, int windows, double quantile, double chi_squared) {
-  // Variance of the deviation, in sigma_z², in simulated images with a Kinect's noise
-  // (test/core/line_growing_test.cpp). Its errors are correlated along the scanline by disparity steps, so
-  // that the variance hardly depends on the length of the pieces.
-  constexpr double kKinectVariance = 1.05;
+  // A Kinect's errors are correlated along the scanline by disparity steps, so that the variance of the
+  // deviation hardly depends on the length of the pieces, and is about that of a pixel
+  // (test/core/line_growing_test.cpp).
   constexpr std::size_t kFewest = 20;
   deviations_.clear();
   collect(rows, noise, windows);
@@ -130,7 +127,7 @@ double NoiseMeter::ratioOver(const ScanlineSet& rows, const ScanlineSet& columns
   const auto at =
       deviations_.begin() + static_cast<std::ptrdiff_t>(quantile * static_cast<double>(deviations_.size()));
   std::nth_element(deviations_.begin(), at, deviations_.end());
-  return std::sqrt(static_cast<double>(*at) / (chi_squared * kKinectVariance));
+  return std::sqrt(static_cast<double>(*at) / chi_squared);
 }
 
 double NoiseMeter::ratio(const ScanlineSet& rows, const ScanlineSet& columns, const NoiseParameters& noise) {

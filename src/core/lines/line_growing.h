@@ -18,7 +18,8 @@ constexpr double kMinLinePixels = 2.0;
 /// alike windows (Algorithm 1). Here the windows lie side by side, and segments grow by merging neighbours
 /// along the scanline, those first whose merging adds the least squared error. Two neighbours are one line if
 /// the added error is explained by noise or by the sensor's low-frequency distortion. A segment continues
-/// after a hole of up to two windows.
+/// after a hole of up to two windows. A single window that is not flat is no segment: it has depths of two
+/// surfaces.
 class LineGrower {
  public:
   /// Fills `segments` and `segment_of` of a set whose windows are summed.
@@ -26,7 +27,7 @@ class LineGrower {
   void grow(const std::vector<float>& orthogonal_ray, const Parameters& parameters, ScanlineSet& set);
 
  private:
-  /// A segment while it grows. A window that is not straight has last = -1 and separates its neighbours.
+  /// A segment while it grows.
   struct Node {
     int first, last;
     LineSums sums;

@@ -15,8 +15,6 @@ namespace {
 
 constexpr std::size_t kMaxPlanes = 100;  // all pairs of the largest ones are compared: bounds the time
 
-constexpr int kMinScanlines = 3;  // that the candidates of a plane span, whose slope is certain
-
 constexpr int kMaxSamples = 64;  // of the line between two planes: a quarter is 16 of them
 
 }  // namespace
@@ -41,16 +39,6 @@ bool CoplanarMerger::isOccludedBetween(Pixel from, Pixel to, const InverseDepthP
     if (4 * ++behind >= steps) return false;
   }
   return 4 * behind < steps;
-}
-
-// Whether candidates span fewer than three scanlines in either direction: the slope of their plane is
-// uncertain.
-bool CoplanarMerger::isSlopeUncertain(const std::vector<Pixel>& pixels, int spacing) {
-  const auto [left, right] =
-      std::minmax_element(pixels.begin(), pixels.end(), [](Pixel p, Pixel q) { return p.u < q.u; });
-  const auto [top, bottom] =
-      std::minmax_element(pixels.begin(), pixels.end(), [](Pixel p, Pixel q) { return p.v < q.v; });
-  return std::min(right->u - left->u, bottom->v - top->v) < (kMinScanlines - 1) * spacing;
 }
 
 // Whether two planes are at the same depth halfway between two of their candidates.
@@ -94,7 +82,6 @@ void CoplanarMerger::mergePairs(const DepthImage& depth, const ViewRays& rays, c
                                 MergeTree& tree) {
   const double limit = parameters.clusters.coplanar_cost;
   const DepthTolerance step_tolerance = stepTolerance(parameters);
-  const int spacing = parameters.scanlines.scanline_spacing;
   const auto find = [this](int i) {
     while (merged_into_[i] != i) i = merged_into_[i];
     return i;
@@ -110,9 +97,7 @@ void CoplanarMerger::mergePairs(const DepthImage& depth, const ViewRays& rays, c
     if (!tree.combine(first, second, both) || !(tree.costOf(first, second, both) < limit)) continue;
     const Pixel from = nearest(pixels_[a], pixels_[b].front());
     const Pixel to = nearest(pixels_[b], from);
-    const bool is_same_depth =
-        isSameDepthBetween(from, to, tree.node(first).plane, tree.node(second).plane, rays, step_tolerance);
-    if (!is_same_depth && !isSlopeUncertain(pixels_[a], spacing) && !isSlopeUncertain(pixels_[b], spacing))
+    if (!isSameDepthBetween(from, to, tree.node(first).plane, tree.node(second).plane, rays, step_tolerance))
       continue;
     if (!isOccludedBetween(from, to, both.plane, depth, rays, parameters)) continue;
     first = tree.merge(first, second, both);

@@ -36,7 +36,6 @@ class CoplanarMerger {
   static bool isOccludedBetween(Pixel from, Pixel to, const InverseDepthPlane& plane, const DepthImage& depth,
                                 const ViewRays& rays, const Parameters& parameters);
 
-  static bool isSlopeUncertain(const std::vector<Pixel>& pixels, int spacing);
   static bool isSameDepthBetween(Pixel from, Pixel to, const InverseDepthPlane& plane,
                                  const InverseDepthPlane& other, const ViewRays& rays,
                                  const DepthTolerance& tolerance);

@@ -6,19 +6,12 @@
 namespace line_plane_segmentation {
 namespace {
 
-// Fewest windows of both segments around a crossing, and valid pixels of each: fewer hardly constrain a
-// plane.
-constexpr int kMinWindows = 3;
-constexpr double kMinPixels = 3.0;
-
 // The windows of the segment `id` at and beside a window of a scanline.
-LineSums sumAround(const ScanlineSet& set, int scanline, int window, int id, int& windows) {
+LineSums sumAround(const ScanlineSet& set, int scanline, int window, int id) {
   LineSums sums;
   for (int i = std::max(0, window - 1); i <= std::min(set.windows - 1, window + 1); ++i) {
     const std::size_t index = set.indexOf(scanline, i);
-    if (set.segment_of[index] != id) continue;
-    sums = sums + set.sums[index];
-    ++windows;
+    if (set.segment_of[index] == id) sums = sums + set.sums[index];
   }
   return sums;
 }
@@ -75,16 +68,14 @@ double curvatureOf(const CrossingCandidate& candidate) {
 }
 
 // Fits the candidate where row r and column c of the grid cross.
-// @return false if the segments have too few pixels there, or are not coplanar
+// @return false if the segments are not coplanar there
 bool fitAtCrossing(const ViewRays& rays, const ScanlineSet& rows, const ScanlineSet& columns, int r, int c,
                    const DepthTolerance& tolerance, double max_flatness, CrossingCandidate& candidate) {
   const int u = columns.pixels[c], v = rows.pixels[r];
   const int row_window = rows.windowAt(u), column_window = columns.windowAt(v);
-  int windows = 0;
-  const LineSums row = sumAround(rows, r, row_window, rows.segment_of[rows.indexOf(r, row_window)], windows);
+  const LineSums row = sumAround(rows, r, row_window, rows.segment_of[rows.indexOf(r, row_window)]);
   const LineSums column =
-      sumAround(columns, c, column_window, columns.segment_of[columns.indexOf(c, column_window)], windows);
-  if (windows < kMinWindows || row.n < kMinPixels || column.n < kMinPixels) return false;
+      sumAround(columns, c, column_window, columns.segment_of[columns.indexOf(c, column_window)]);
   candidate.moments = momentsOf(row, column, static_cast<double>(rays.x[u]), static_cast<double>(rays.y[v]));
   candidate.u = u;
   candidate.v = v;

@@ -27,7 +27,6 @@ constexpr std::size_t kComparisons = 1024, kHashFactor = 618;
 // since sensor distortion makes any deviation significant over enough candidates.
 constexpr double kTwoPlanes = 2.0;
 constexpr std::size_t kEnoughPoints = 128;  // of a quadric: so many are sampled of more
-constexpr int kMinCompared = 8;             // candidates of either cluster: a plane has three parameters
 constexpr double kVarianceFloor = 0.05;     // [tolerance²] deviations below it do not count
 
 double squaredError(const RegressionMoments& means) {

@@ -13,6 +13,10 @@ namespace line_plane_segmentation {
 /// A surface is curved if a quadric surface leaves less than this fraction of its variance about a plane.
 constexpr double kMaxResidualRatio = 0.25;
 
+/// Fewest candidates of a cluster that is compared with another surface: a plane has three parameters, a
+/// quadric six.
+constexpr int kMinCompared = 8;
+
 /// Agglomerative clustering of plane candidates with the history of its merges: a binary tree (dendrogram)
 /// whose leaves are the candidates. A disjoint-set forest (union-find) over the nodes finds a node's root.
 ///

@@ -15,8 +15,6 @@ constexpr std::size_t kMaxClusters = 65534;  // 16-bit labels; 65535 marks inval
 // the bounds for small planes are doubled, at a smaller one if distortion is measured to be larger.
 constexpr double kDistortedFraction = 0.045;
 
-constexpr int kMinCurved = 8;  // candidates: a quadric has six parameters
-
 // A plane whose candidates span fewer scanlines than this in either direction is narrow: most of their
 // windows end at its borders.
 constexpr int kMinScanlines = 3;
@@ -58,7 +56,7 @@ bool PlaneClusterer::isPlane(int i, double fraction, const ClusterParameters& pa
     return false;
   const double variance = tree_.variance(i);
   if (variance > allowDistortion(parameters.max_waviness, fraction)) return false;
-  if (node.candidates < kMinCurved) return true;
+  if (node.candidates < kMinCompared) return true;
   const double max_bend = allowDistortion(parameters.max_bend, fraction);
   if (!(variance > max_bend)) return true;
   const double about_quadric = tree_.quadricVariance(i);
@@ -127,7 +125,7 @@ void PlaneClusterer::dropPiecesOfCurved(const CandidateGrid& grid, double fracti
     if (a < 0 || b < 0 || a == b) continue;
     const bool is_a_smaller = tree_.node(a).candidates < tree_.node(b).candidates;
     const auto [small, large] = is_a_smaller ? std::pair(a, b) : std::pair(b, a);
-    if (tree_.node(large).candidates >= kMinCurved) neighbors_.push_back({small, large});
+    if (tree_.node(large).candidates >= kMinCompared) neighbors_.push_back({small, large});
   }
   std::sort(neighbors_.begin(), neighbors_.end());
   for (std::size_t first = 0, last = 0; first < neighbors_.size(); first = last) {

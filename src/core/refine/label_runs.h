@@ -30,8 +30,8 @@ struct LabelRuns {
   /// Adds a row of `width` labels, at least one.
   void addRow(const std::uint16_t* labels, int width);
 
-  /// Joins A x A to A in the last row where x has a depth, is at most `max_pixels` wide, and `is_like(before,
-  /// x, after)` holds: noise, which would otherwise make most of the runs.
+  /// Joins A 0 A to A in the last row, for planes A, where 0 is at most `max_pixels` wide and
+  /// `is_like(before, 0, after)` holds: noise, which would otherwise make most of the runs.
   template <typename Predicate>
   void joinOverSpeckles(int max_pixels, Predicate&& is_like);
 
@@ -63,7 +63,7 @@ void LabelRuns::joinOverSpeckles(int max_pixels, Predicate&& is_like) {
     const LabelRun &speckle = runs[kept - 2], &after = runs[kept - 1];
     // In one condition, which seldom holds: one by one, they are hard to predict.
     const bool is_speckle = (before.label == after.label) & (before.label != kNoDepthLabel) &
-                            (speckle.label != kNoDepthLabel) & (speckle.pixels() <= max_pixels);
+                            (speckle.label == 0) & (speckle.pixels() <= max_pixels);
     if (!is_speckle || !is_like(before, speckle, after)) continue;
     before.last = after.last;
     kept -= 2;

@@ -11,11 +11,7 @@
 namespace line_plane_segmentation {
 namespace {
 
-constexpr int kMaxSpeckle = 3;            // [px] in one row
-constexpr float kMaxSpeckleError = 2.0F;  // [-] in tolerances
-
-// [-] in tolerances along the ray; planes that differ by less are separated by their line of intersection.
-constexpr double kCreaseReach = 0.5;
+constexpr int kMaxSpeckle = 3;  // [px] in one row
 
 }  // namespace
 
@@ -111,7 +107,7 @@ void PixelAssigner::splitAtCreases(double y) {
   }
 }
 
-// Whether a few pixels of a row lie at the depth of those to their left and right.
+// Whether a few pixels of a row lie at the depth of those to their left and right, within the tolerance.
 bool PixelAssigner::isLikeNeighbors(const float* z, const LabelRun& before, const LabelRun& speckle,
                                     const LabelRun& after) const {
   // The expected inverse depth is the mean of both, sum / product: the error times the product takes no
@@ -121,7 +117,7 @@ bool PixelAssigner::isLikeNeighbors(const float* z, const LabelRun& before, cons
   bool is_like = true;
   for (int u = speckle.first; u < speckle.last; ++u) {
     const float error = std::fabs(product - z[u] * sum) * depth_over_noise_[u];
-    is_like &= !(error > kMaxSpeckleError * product);
+    is_like &= !(error > product);
   }
   return is_like;
 }
@@ -145,8 +141,7 @@ void PixelAssigner::assign(const DepthImage& depth, const ViewRays& rays, const 
   }
 
   creases_.find(rays, grid, clusters, cluster_at);
-  const DepthTolerance crease_tolerance{parameters.noise,
-                                        kCreaseReach * parameters.extraction.distance_noise_factor};
+  const DepthTolerance crease_tolerance{parameters.noise, parameters.extraction.distance_noise_factor};
 
   image.clear();
   spans_.clear();

@@ -14,20 +14,13 @@ namespace {
 // [tolerances] Mean distance up to which a small component is merged into the plane around it.
 constexpr double kMaxMeanError = 2.0;
 
-// [min_region_pixels] Size up to which a component without a plane is merged. Sensor distortion, largest in
-// the corners of the image, leaves larger gaps beside a plane than noise does, without a depth step.
-constexpr int kMaxGapRegions = 8;
-
-// [tolerances] Difference along the ray above which neighbouring pixels do not touch.
-constexpr double kMaxStep = 1.0;
-
 // Whether neighbouring pixels lie at the same depth: their inverse depths differ by less than the tolerance
 // of the farther one. Multiplied by both depths and by the farther one, that takes no division.
 class StepTest {
  public:
   explicit StepTest(const Parameters& parameters)
-      : floor_(static_cast<float>(factorOf(parameters) * parameters.noise.floor)),
-        growth_(static_cast<float>(factorOf(parameters) * parameters.noise.growth)),
+      : floor_(static_cast<float>(parameters.extraction.distance_noise_factor * parameters.noise.floor)),
+        growth_(static_cast<float>(parameters.extraction.distance_noise_factor * parameters.noise.growth)),
         nearest_(static_cast<float>(parameters.noise.nearest)) {}
 
   int touch(float a, float b) const {
@@ -41,10 +34,6 @@ class StepTest {
   }
 
  private:
-  static double factorOf(const Parameters& parameters) {
-    return kMaxStep * parameters.extraction.distance_noise_factor;
-  }
-
   float floor_, growth_, nearest_;
 };
 
@@ -103,11 +92,8 @@ void RegionCleaner::measureComponents(int min_region_pixels, const LabelRuns& im
     component.label = image.runs[i].label;
     component.pixels += image.runs[i].pixels();
   }
-  const std::int64_t min_gap_pixels = std::int64_t{kMaxGapRegions} * min_region_pixels;
-  for (Component& component : components_) {
-    component.size =
-        component.pixels < (component.label == 0 ? min_gap_pixels : min_region_pixels) ? kSmall : kLarge;
-  }
+  for (Component& component : components_)
+    component.size = component.pixels < min_region_pixels ? kSmall : kLarge;
   components_.front().label = 0;
   components_.front().size = kNoDepth;
 }

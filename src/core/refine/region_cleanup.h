@@ -11,11 +11,10 @@
 
 namespace line_plane_segmentation {
 
-/// Refinement of a label image by region merging. A connected component smaller than min_region_pixels, or
-/// than eight times as many without a label, gets the label that most of its border touches without a depth
-/// step, unless its pixels are too far from that plane. This removes speckles and pinholes of noise, and gaps
-/// of distortion. Then planes that are too small are removed, and the others numbered from 1, the largest
-/// first.
+/// Refinement of a label image by region merging. A connected component smaller than min_region_pixels gets
+/// the label that most of its border touches without a depth step, unless its pixels are too far from that
+/// plane. This removes speckles and pinholes of noise. Then planes that are too small are removed, and the
+/// others numbered from 1, the largest first.
 class RegionCleaner {
  public:
   /// @param image  its labels are k + 1 for cluster k, 0 for no plane, and kNoDepthLabel, which becomes 0
