@@ -134,10 +134,8 @@ TEST(MergeTree, CostIsTheAddedErrorPerPixelOfTheSmaller) {
   FittedPixels both;
   ASSERT_TRUE(tree.combine(0, 1, both));
   const MergeTree::Node &a = tree.node(0), &b = tree.node(1);
-  EXPECT_NEAR(
-      tree.costOf(0, 1, both),
-      (both.squared_error - a.squared_error - b.squared_error) / std::min(a.moments.pixels, b.moments.pixels),
-      1e-12);
+  const double added = both.squared_error - a.squared_error - b.squared_error;
+  EXPECT_NEAR(tree.costOf(0, 1, both), added / std::min(a.moments.pixels, b.moments.pixels), 1e-12);
   EXPECT_EQ(tree.merge(0, 1, both), tree.leaves());
   EXPECT_EQ(tree.find(0), tree.leaves());
   EXPECT_EQ(tree.find(1), tree.leaves());
@@ -268,6 +266,7 @@ TEST(MergeTree, TellsAStepFromABend) {
     EXPECT_TRUE(areTwoPlanes(bent(0.06, border, 0.05), border, kLeftOut)) << border;
     EXPECT_TRUE(areTwoPlanes(bent(0.06, border, -0.05), border, kLeftOut)) << border;
   }
+  EXPECT_FALSE(areTwoPlanes(bent(0.06, 240, 0.05), 240, 15)) << "they are three crossings apart";
 }
 
 bool isLeftAPieceOfCurved(const DepthImage& depth, int border) {

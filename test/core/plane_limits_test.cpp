@@ -8,6 +8,7 @@
 
 #include "planes/plane_clustering.h"
 #include "support/clustered_image.h"
+#include "support/made_candidates.h"
 #include "support/resolved_parameters.h"
 #include "support/synthetic_depth.h"
 
@@ -38,6 +39,29 @@ TEST(NarrowPlanes, SpanFewerThanThreeScanlines) {
 TEST(NarrowPlanes, HaveFewerThan28Candidates) {
   EXPECT_FALSE(isNarrow(6, 6));
   EXPECT_TRUE(isNarrow(5, 5));
+}
+
+/// Whether a plane is narrow whose rows of candidates each begin one column further to the right.
+bool isSlantedNarrow(int candidates_per_row) {
+  constexpr int kRows = 20;
+  MadeCandidates made(kRows + candidates_per_row - 1, kRows);
+  for (int row = 0; row < kRows; ++row) {
+    for (int column = row; column < row + candidates_per_row; ++column) {
+      made.add(column, row, 0.0);
+      if (column > row) made.link(column - 1, row, column, row);
+      if (row > 0 && column + 1 < row + candidates_per_row) made.link(column, row - 1, column, row);
+    }
+  }
+  std::vector<PlaneCluster> clusters;
+  std::vector<int> cluster_at;
+  PlaneClusterer().cluster(blankDepth(0, 0), {}, made, adaptiveParameters(kWidth), 1.0, clusters, cluster_at);
+  EXPECT_EQ(clusters.size(), 1U);
+  return clusters.at(0).is_narrow;
+}
+
+TEST(NarrowPlanes, FillFewerThanThreeTimesTheScanlinesThatTheySpan) {
+  EXPECT_TRUE(isSlantedNarrow(3));
+  EXPECT_FALSE(isSlantedNarrow(4));
 }
 
 /// Parameters by which everything is one cluster, which is a plane unless its bend is too large.

@@ -78,8 +78,8 @@ struct Halves {
 };
 
 /// Whether halves are two planes. Their step adds `bounds` times twice the variance plus its floor of 0.05.
-bool areTwoPlanes(double bounds, double variance) {
-  Halves halves{8, 4, 1.0, 0.0};
+bool areTwoPlanes(double bounds, double variance, int columns = 8) {
+  Halves halves{columns, 4, 1.0, 0.0};
   const double per_step = halves.squaresAboutQuadric();
   const double of_halves = 2.0 * halves.size() * variance;
   const double each = of_halves / (2 * halves.size() - 6) + 0.05;
@@ -91,6 +91,11 @@ bool areTwoPlanes(double bounds, double variance) {
 TEST(TwoPlanes, AddTwiceTheVarianceOfTheirCandidates) {
   EXPECT_FALSE(areTwoPlanes(0.8, 2.0));
   EXPECT_TRUE(areTwoPlanes(1.25, 2.0));
+}
+
+TEST(TwoPlanes, TakeThreeDegreesOfFreedomEach) {
+  EXPECT_FALSE(areTwoPlanes(0.8, 2.0, 2));
+  EXPECT_TRUE(areTwoPlanes(1.25, 2.0, 2));
 }
 
 TEST(TwoPlanes, AddTwiceTheFloorOfTheVariance) {
