@@ -65,6 +65,22 @@ TEST(DepthStep, IsOfTheSurfacesNotOfTheirFits) {
   for (const double step : steps) EXPECT_NEAR(step, 0.0, 0.02);
 }
 
+TEST(DepthStep, IsHalfwayBetweenBothCandidates) {
+  const InverseDepthPlane left{0.02, 0.05, 0.0}, right{-0.03, 0.01, 0.0};  // moved to the candidates
+  CrossingCandidate from, to;
+  from.x = 0.2;
+  from.y = -0.4;
+  to.x = 0.4;
+  to.y = -0.2;
+  from.rho = to.rho = 0.5;
+  const ClusterContact contact{&from, &to, &from, &to};
+  const double rho = 0.5 + 0.1 * (0.02 + 0.05), other_rho = 0.5 - 0.1 * (-0.03 + 0.01);
+  DepthTolerance tolerance = stepTolerance(adaptiveParameters(kWidth));
+  tolerance.distance = 0.0;  // so that the tolerance is that of the noise
+  const double expected = (other_rho - rho) / tolerance.along(0.5 * (rho + other_rho));
+  EXPECT_NEAR(stepAt(contact, left, right, tolerance), expected, 1e-9);
+}
+
 TEST(DepthStep, StopsAtTheEdgeOfAClusterAndOfTheGrid) {
   const CandidateImage image(render(surfaceAt(2.0), kCamera, kWidth, kHeight), adaptiveParameters(kWidth));
   const ClusterContact contact = contactBetween(image.grid, 0, 1, 1, 0, [](int cell) { return cell; });
@@ -87,7 +103,9 @@ TEST(MeanStep, IsAStepAboveOneToleranceAndThreeStandardErrors) {
   EXPECT_TRUE(meanOf({-1.1, -1.1, -1.1, -1.1, -1.1, -1.1}).isStep());
   EXPECT_FALSE(meanOf({9.0, 9.0, 9.0, 9.0}).isStep()) << "too few contacts";
   EXPECT_FALSE(meanOf({-4.0, 7.0, -4.0, 7.0, -4.0, 7.0}).isStep()) << "they disagree";
-  // Mean 2, standard deviation 2: the standard error is 2 / sqrt(n - 1).
+  // The mean is 2, its standard error the standard deviation over sqrt(n - 1).
+  EXPECT_FALSE(meanOf({0.4, 3.6, 0.4, 3.6, 0.4, 3.6}).isStep());
+  EXPECT_TRUE(meanOf({0.6, 3.4, 0.6, 3.4, 0.6, 3.4}).isStep());
   EXPECT_FALSE(meanOf({0.0, 4.0, 0.0, 4.0, 0.0, 4.0, 0.0, 4.0}).isStep());
   EXPECT_TRUE(meanOf({0.0, 4.0, 0.0, 4.0, 0.0, 4.0, 0.0, 4.0, 0.0, 4.0, 0.0, 4.0}).isStep());
 }

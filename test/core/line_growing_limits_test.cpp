@@ -11,6 +11,7 @@
 #include "planes/inverse_depth_plane.h"
 #include "support/random.h"
 #include "support/resolved_parameters.h"
+#include "support/synthetic_depth.h"
 
 namespace line_plane_segmentation {
 namespace {
@@ -128,6 +129,29 @@ TEST(LineGrower, MergesWhatIsMostAlikeFirst) {
   ASSERT_EQ(segments.size(), 2U);
   EXPECT_EQ(segments[0].last, 1);
   EXPECT_EQ(segments[1].first, 2);
+}
+
+/// The variance of alpha of a segment of four pixels that do not lie on a line, or of so many times as many.
+double varianceOfFourPixels(int times) {
+  LineSums sums;
+  for (int i = 0; i < 4 * times; ++i) {
+    const double t = 0.002 * (i % 4), rho = kRho + (i % 4 == 1 || i % 4 == 2 ? 1e-3 : -1e-3);
+    sums = sums + LineSums{1.0, t, t * t, rho, t * rho, rho * rho};
+  }
+  ScanlineSet set;
+  set.direction = ScanDirection::kRow;
+  set.pixels = {0};
+  set.window = 4;
+  set.windows = 1;
+  set.sums = {sums};
+  set.segments = {{0, 0, 0, sums, 0.0, 0.0}};
+  std::vector<LineSegment> segments;
+  describeSegments(blankDepth(4, 1), raysOf(kinectCamera(4, 1), 4, 1), set, segments);
+  return segments.at(0).covariance(0, 0);
+}
+
+TEST(DescribeSegments, TakesTwoDegreesOfFreedom) {
+  EXPECT_NEAR(varianceOfFourPixels(1) / varianceOfFourPixels(2), (8.0 - 2.0) / (4.0 - 2.0), 1e-6);
 }
 
 constexpr int kWindow = 5;

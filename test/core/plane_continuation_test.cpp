@@ -80,6 +80,21 @@ TEST(PlaneContinuation, TwoPlanesAreASmallStepApart) {
   EXPECT_EQ(image.find(), (Planes{0, 1}));
 }
 
+// At a larger distance the step of a slanted or bent surface is not known.
+TEST(PlaneContinuation, StepsAreMeasuredOverOneCrossingThatIsInNeither) {
+  const auto find_over = [](int crossings) {
+    TwoClusters image(halves(surfaceAt(3.5), surfaceAt(3.55), kCamera, kWidth, kHeight),
+                      [](int u) { return u >= kWidth / 2; });
+    for (int row = 0; row < image.grid.rows; ++row) {
+      for (int column = 16; column < 16 + crossings; ++column)
+        image.cluster_at[static_cast<std::size_t>(image.grid.indexOf(column, row))] = -1;
+    }
+    return image.find();
+  };
+  EXPECT_EQ(find_over(1), (Planes{0, 1}));
+  EXPECT_EQ(find_over(2), (Planes{0, 0}));
+}
+
 // The steps on both sides of a stripe have the same sign, whichever side the scanline comes from.
 TEST(PlaneContinuation, AStripeStandsASmallStepBack) {
   DepthImage depth = render(surfaceAt(3.5), kCamera, kWidth, kHeight);

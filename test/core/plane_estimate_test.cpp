@@ -136,6 +136,24 @@ TEST(EstimateFromPixels, FitsANarrowStripAlongTheRaysAndTrustsFewPixels) {
   EXPECT_NEAR(predicted / error / (kPixels / 12.0), 1.0, 0.25) << "pixels count as twelve independent ones";
 }
 
+/// The variance of d of a plane of four pixels that do not lie in it, or of so many times as many.
+double varianceOfFourPixels(int times) {
+  PointMoments moments;
+  for (int i = 0; i < 4 * times; ++i) {
+    const double x = i % 2 == 0 ? -0.1 : 0.1, y = i / 2 % 2 == 0 ? -0.1 : 0.1, z = 2.0 + x * y;
+    moments.add({x * z, y * z, z});
+  }
+  PlaneFit fit;
+  EXPECT_TRUE(fitPlane(moments, fit));
+  return estimateFromPixels(fit, moments).covariance(3, 3);
+}
+
+TEST(EstimateFromPixels, TakesThreeDegreesOfFreedom) {
+  EXPECT_NEAR(varianceOfFourPixels(1) / varianceOfFourPixels(2), 8.0 - 3.0, 1e-6);
+  EXPECT_NEAR(varianceOfFourPixels(1) / varianceOfFourPixels(6), (24.0 - 3.0) / 2.0, 1e-6)
+      << "24 pixels count as two, fewer than twelve as one";
+}
+
 TEST(EstimateFromPixels, TakesTheFitOfPixelsOnOneRay) {
   PlaneFit fit;
   fit.d = 2.0;

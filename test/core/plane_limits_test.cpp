@@ -185,6 +185,48 @@ TEST(CoplanarParts, AreOnePlaneIfLessThanAQuarterBetweenThemIsBehind) {
   EXPECT_FALSE(areOnePlane(1.5, 1.5, 0.35));
 }
 
+/// Two strips of a wall with something nearer between them. The second strip is 3 cm behind the first.
+/// @param columns  scanlines across each strip
+bool areStripsOnePlane(int columns) {
+  const int width = columns * kSpacing;
+  DepthImage depth = render(surfaceAt(1.0), kCamera, kWidth, kHeight);
+  paint(surfaceAt(1.5), kCamera, {100 - width, 100, 0, kHeight}, depth);
+  paint(surfaceAt(1.53), kCamera, {160, 160 + width, 0, kHeight}, depth);
+  const ClusteredImage image(depth, adaptiveParameters(kWidth));
+  EXPECT_GE(image.at(95, 120), 0);
+  return image.at(95, 120) == image.at(165, 120);
+}
+
+TEST(CoplanarParts, AreAtOneDepthUnlessOneSpansFewerThanThreeScanlines) {
+  EXPECT_TRUE(areStripsOnePlane(2));
+  EXPECT_FALSE(areStripsOnePlane(3));
+}
+
+/// The plane of inverse depth rho whose slopes are a and b at the ray (x, y).
+Surface planeThrough(double x, double y, double rho, double a, double b) {
+  const Eigen::Vector3d coefficients(a, b, rho - a * x - b * y);
+  return {-coefficients.normalized(), 1.0 / coefficients.norm()};
+}
+
+// The planes of both parts meet halfway, at 10 degrees.
+TEST(CoplanarParts, AreAtOneDepthHalfwayBetweenThem) {
+  constexpr double kSlope = 0.06, kRho = 1.0 / 1.5;
+  const double x = (80.0 - kCamera.cx) / kCamera.fx, y = (80.0 - kCamera.cy) / kCamera.fy;
+  DepthImage depth = render(surfaceAt(1.0), kCamera, kWidth, kHeight);
+  paint(planeThrough(x, y, kRho, kSlope, 0.0), kCamera, {10, 60, 0, kHeight}, depth);
+  paint(planeThrough(x, y, kRho, -kSlope, 0.0), kCamera, {100, 150, 0, kHeight}, depth);
+  const ClusteredImage beside(depth, adaptiveParameters(kWidth));
+  EXPECT_GE(beside.at(55, 120), 0);
+  EXPECT_EQ(beside.at(55, 120), beside.at(105, 120));
+
+  depth = render(surfaceAt(1.0), kCamera, kWidth, kHeight);
+  paint(planeThrough(x, y, kRho, 0.0, kSlope), kCamera, {0, kWidth, 10, 60}, depth);
+  paint(planeThrough(x, y, kRho, 0.0, -kSlope), kCamera, {0, kWidth, 100, 150}, depth);
+  const ClusteredImage below(depth, adaptiveParameters(kWidth));
+  EXPECT_GE(below.at(160, 55), 0);
+  EXPECT_EQ(below.at(160, 55), below.at(160, 105));
+}
+
 // A pixel is behind the plane if its distance is more than twice that of the pixels of the plane.
 TEST(CoplanarParts, HaveNothingBehindWithinTwiceTheTolerance) {
   const Parameters p = adaptiveParameters(kWidth);

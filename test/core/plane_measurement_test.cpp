@@ -105,6 +105,19 @@ TEST(PlaneMeasurement, KnowsTheAreaOfARectangle) {
   }
 }
 
+TEST(PlaneMeasurement, TakesThreeDegreesOfFreedom) {
+  LabelledImage image(render(surfaceAt(1.5), kinectCamera(64, 48), 64, 48));
+  image.depth.row(20)[30] += 0.01F;
+  image.paintLabel(1, {30, 32, 20, 23});
+  PointMoments moments;
+  for (const Eigen::Vector3d& point : image.pointsOf(1)) moments.add(point);
+  ASSERT_EQ(moments.count, 6.0);
+  PlaneFit fit;
+  ASSERT_TRUE(fitPlane(moments, fit));
+  const Eigen::Matrix4d expected = fit.covariance(moments, std::sqrt(fit.mean_square * 6.0 / (6.0 - 3.0)));
+  EXPECT_LT((image.measure(1).at(0).covariance - expected).norm(), 1e-6 * expected.norm());
+}
+
 TEST(PlaneMeasurement, TellsHowFarThePlaneMayBeOff) {
   const Surface surface = surfaceAt(1.5, 0.3, 0.2);
   const NoiseParameters uniform{0.003, 0.0, 0.4};
