@@ -20,7 +20,7 @@ namespace {
 constexpr int kWidth = 320, kHeight = 240;
 const CameraIntrinsics kCamera = kinectCamera(kWidth, kHeight);
 
-/// An image whose candidates in some columns are the second cluster, the others the first.
+/// An image whose candidates at some pixels are the second cluster, the others the first.
 struct TwoClusters : CandidateImage {
   std::vector<PlaneCluster> clusters{2};
   std::vector<int> cluster_at, plane_of;
@@ -30,7 +30,7 @@ struct TwoClusters : CandidateImage {
       : CandidateImage(depth, adaptiveParameters(kWidth)) {
     cluster_at.assign(grid.candidate_at.size(), -1);
     for (const CrossingCandidate& candidate : grid.candidates) {
-      const std::size_t index = is_second(candidate.u) ? 1 : 0;
+      const std::size_t index = is_second(candidate.u, candidate.v) ? 1 : 0;
       cluster_at[static_cast<std::size_t>(candidate.cell)] = static_cast<int>(index);
       PlaneCluster& cluster = clusters[index];
       cluster.moments += candidate.moments;
@@ -51,7 +51,7 @@ TwoClusters clustersOf(const Surface& left, const Surface& right, int border) {
   DepthImage depth = halves(left, right, kCamera, kWidth, kHeight);
   Random random(3);
   addNoise({}, 1.0, random, depth);
-  return {depth, [border](int u) { return u >= border; }};
+  return {depth, [border](int u, int) { return u >= border; }};
 }
 
 using Planes = std::vector<int>;
@@ -84,7 +84,7 @@ TEST(PlaneContinuation, TwoPlanesAreASmallStepApart) {
 TEST(PlaneContinuation, StepsAreMeasuredOverOneCrossingThatIsInNeither) {
   const auto find_over = [](int crossings) {
     TwoClusters image(halves(surfaceAt(3.5), surfaceAt(3.55), kCamera, kWidth, kHeight),
-                      [](int u) { return u >= kWidth / 2; });
+                      [](int u, int) { return u >= kWidth / 2; });
     for (int row = 0; row < image.grid.rows; ++row) {
       for (int column = 16; column < 16 + crossings; ++column)
         image.cluster_at[static_cast<std::size_t>(image.grid.indexOf(column, row))] = -1;
@@ -101,7 +101,7 @@ TEST(PlaneContinuation, AStripeStandsASmallStepBack) {
   paint(surfaceAt(3.55), kCamera, {120, 200, 0, kHeight}, depth);
   Random random(3);
   addNoise({}, 1.0, random, depth);
-  TwoClusters image(depth, [](int u) { return u >= 120 && u < 200; });
+  TwoClusters image(depth, [](int u, int) { return u >= 120 && u < 200; });
   EXPECT_EQ(image.find(), (Planes{0, 1}));
 }
 
@@ -127,7 +127,7 @@ constexpr int kBorder = 200;  // [px] first column of the smaller cluster
 /// Two clusters, whose left one is of a wall 2 m away and the larger.
 struct TwoParts : TwoClusters {
   explicit TwoParts(const Surface& right = surfaceAt(2.0))
-      : TwoClusters(imageOf(right), [](int u) { return u >= kBorder; }) {}
+      : TwoClusters(imageOf(right), [](int u, int) { return u >= kBorder; }) {}
 
   static DepthImage imageOf(const Surface& right) {
     DepthImage depth = render(surfaceAt(2.0), kCamera, kWidth, kHeight);
@@ -173,6 +173,16 @@ TEST(PlaneContinuation, MayTurnByAFifthAndTwoStandardDeviations) {
   EXPECT_FALSE(isContinuedAtTurn(0.27, 0.0));
   EXPECT_TRUE(isContinuedAtTurn(0.27, 0.05)) << "up to 0.3";
   EXPECT_FALSE(isContinuedAtTurn(0.35, 0.05));
+}
+
+TEST(PlaneContinuation, ComparesPlanesWhereTheLowerOneTurnsAway) {
+  constexpr int kRow = 200;
+  const double rho = 0.5, slope = 0.15 * rho, y_border = (kRow - 0.5 - kCamera.cy) / kCamera.fy;
+  const Eigen::Vector3d coefficients(0.0, slope, rho - slope * y_border);
+  DepthImage depth = render(surfaceAt(2.0), kCamera, kWidth, kHeight);
+  paint({-coefficients.normalized(), 1.0 / coefficients.norm()}, kCamera, {0, kWidth, kRow, kHeight}, depth);
+  TwoClusters image(depth, [](int, int v) { return v >= kRow; });
+  EXPECT_EQ(image.find(), (Planes{0, 0}));
 }
 
 TEST(PlaneContinuation, GoesOverThreeCrossingsThatAreInNeither) {

@@ -140,6 +140,28 @@ TEST(PlaneMatching, ReachesTwiceThePlanesSizeWithoutCommonPoints) {
   EXPECT_FALSE(isMatchedByCoefficients(0.0, {0.6, 0.0, 0.0}));
 }
 
+// At 0.9 of that distance a plane counts 1 / 1.9 = 0.53. An earlier plane at the same place is turned
+// instead.
+TEST(PlaneMatching, PrefersThePlaneNearbyWithoutCommonPoints) {
+  const auto id_with = [](double degrees) {
+    Tracker tracker;
+    Picture before, after;
+    SegmentedPlane& plane = after.add({20, 30, 0, 10});
+    plane.area = 0.04;  // [m²] so that planes within 0.4 m are compared
+    const auto add_at = [&](const Eigen::Vector3d& centroid, const Cells& cells, double yaw) {
+      SegmentedPlane& earlier = before.add(cells, 2.0, yaw);
+      earlier.centroid = centroid;
+      earlier.d = -earlier.normal.dot(centroid);
+    };
+    add_at(plane.centroid, {0, 10, 0, 10}, degrees * M_PI / 180.0);
+    add_at(plane.centroid + Eigen::Vector3d(0.36, 0.0, 0.0), {10, 20, 0, 10}, 0.0);
+    tracker.idsOf(before);
+    return tracker.idOf(after);
+  };
+  EXPECT_EQ(id_with(7.3), 1U) << "it counts 0.62";
+  EXPECT_EQ(id_with(9.7), 2U) << "it counts 0.43";
+}
+
 TEST(PlaneMatching, RemembersThe128PlanesThatWereSeenLast) {
   Tracker tracker;
   Picture planes;

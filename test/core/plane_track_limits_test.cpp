@@ -67,6 +67,8 @@ int outliersUntilRestart(int inliers) {
 
 TEST(Outliers, RestartTheFilterAfter30InARowOrTwoPerInlier) {
   EXPECT_EQ(outliersUntilRestart(50), 31);
+  EXPECT_EQ(outliersUntilRestart(20), 31);
+  EXPECT_EQ(outliersUntilRestart(13), 27);
   EXPECT_EQ(outliersUntilRestart(3), 7);
 }
 
