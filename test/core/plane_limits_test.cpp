@@ -185,21 +185,24 @@ TEST(CoplanarParts, AreOnePlaneIfLessThanAQuarterBetweenThemIsBehind) {
   EXPECT_FALSE(areOnePlane(1.5, 1.5, 0.35));
 }
 
-/// Two strips of a wall with something nearer between them. The second strip is 3 cm behind the first.
+/// Two strips of a wall with something nearer between them.
 /// @param columns  scanlines across each strip
-bool areStripsOnePlane(int columns) {
+/// @param behind   [m] distance of the second strip behind the first
+bool areStripsOnePlane(int columns, double behind) {
   const int width = columns * kSpacing;
   DepthImage depth = render(surfaceAt(1.0), kCamera, kWidth, kHeight);
   paint(surfaceAt(1.5), kCamera, {100 - width, 100, 0, kHeight}, depth);
-  paint(surfaceAt(1.53), kCamera, {160, 160 + width, 0, kHeight}, depth);
+  paint(surfaceAt(1.5 + behind), kCamera, {160, 160 + width, 0, kHeight}, depth);
   const ClusteredImage image(depth, adaptiveParameters(kWidth));
   EXPECT_GE(image.at(95, 120), 0);
   return image.at(95, 120) == image.at(165, 120);
 }
 
-TEST(CoplanarParts, AreAtOneDepthUnlessOneSpansFewerThanThreeScanlines) {
-  EXPECT_TRUE(areStripsOnePlane(2));
-  EXPECT_FALSE(areStripsOnePlane(3));
+TEST(CoplanarParts, AreAtOneDepthHoweverNarrow) {
+  for (const int columns : {2, 3}) {
+    EXPECT_TRUE(areStripsOnePlane(columns, 0.0)) << columns;
+    EXPECT_FALSE(areStripsOnePlane(columns, 0.03)) << columns;
+  }
 }
 
 /// The plane of inverse depth rho whose slopes are a and b at the ray (x, y).
