@@ -15,8 +15,8 @@ constexpr std::size_t kMaxClusters = 65534;  // 16-bit labels; 65535 marks inval
 // the bounds for small planes are doubled, at a smaller one if distortion is measured to be larger.
 constexpr double kDistortedFraction = 0.045;
 
-// A plane whose candidates span fewer scanlines than this in either direction is narrow: most of their
-// windows end at its borders.
+// A plane with fewer candidates than this across it, on average, is narrow: most of their windows end at its
+// borders.
 constexpr int kMinScanlines = 3;
 
 // Links between a piece of a curved surface and the rest: fewer are where two surfaces touch by chance.
@@ -38,9 +38,8 @@ bool isNarrow(const std::vector<int>& candidates, const CandidateGrid& grid) {
   }
   const int columns = last_column - first_column + 1, rows = last_row - first_row + 1;
   // A slanted strip spans many of both, but fills little of them.
-  const bool is_strip = static_cast<int>(candidates.size()) < kMinScanlines * std::max(columns, rows);
-  return std::min(columns, rows) < kMinScanlines || is_strip ||
-         static_cast<int>(candidates.size()) < kFewCandidates;
+  return static_cast<int>(candidates.size()) <
+         std::max(kMinScanlines * std::max(columns, rows), kFewCandidates);
 }
 
 double allowDistortion(double bound, double fraction) {
