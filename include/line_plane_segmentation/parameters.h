@@ -120,8 +120,8 @@ struct PatchParameters {
   /// [m] Smallest tolerance, orthogonal to the plane. Increase to accept rougher surfaces nearby;
   /// decrease to separate lower steps nearby.
   double patch_distance = 0.004;
-  /// [-] Largest mean squared error of a patch, in squared tolerances. Increase to accept rough and
-  /// curved surfaces; decrease to accept flat surfaces only.
+  /// [-] Largest mean squared error of a patch, and of a line segment of one window, in squared tolerances.
+  /// Increase to accept rough and curved surfaces; decrease to accept flat surfaces only.
   double patch_flatness = 1.2;
 };
 

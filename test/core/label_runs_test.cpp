@@ -145,7 +145,7 @@ TEST(LabelRuns, JoinOverSpeckles) {
   EXPECT_EQ(joined({1, 1, 2, 2, 1}, 3), (Labels{1, 1, 2, 2, 1})) << "another plane";
   EXPECT_EQ(joined({1, 0, 2}, 3), (Labels{1, 0, 2})) << "between two labels";
   EXPECT_EQ(joined({1, none, 1}, 3), (Labels{1, none, 1})) << "no depth there";
-  EXPECT_EQ(joined({none, 1, none}, 3), (Labels{none, 1, none})) << "no depth around it";
+  EXPECT_EQ(joined({none, 0, none}, 3), (Labels{none, 0, none})) << "no depth around it";
   EXPECT_EQ(joined({0, 1, 0, 0}, 3), (Labels{0, 1, 0, 0})) << "a plane in none";
   EXPECT_EQ(joined({1, 0, 1, 0, 0, 1, 0, 1}, 2), (Labels{1, 1, 1, 1, 1, 1, 1, 1})) << "several in a row";
   EXPECT_EQ(joined({0, 1}, 3), (Labels{0, 1}));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The limits of straight windows, of merges and of the noise measure, on scanlines made of numbers; the rest
+// The limits of single windows, of merges and of the noise measure, on scanlines made of numbers; the rest
 // of line_growing.h is tested in line_growing_test.cpp.
 #include <gtest/gtest.h>
 
@@ -156,11 +156,11 @@ TEST(DescribeSegments, TakesTwoDegreesOfFreedom) {
 
 constexpr int kWindow = 5;
 
-/// A scanline of pieces, each at a random distance from the line. Their distances have the variance of a
-/// Kinect's noise, whose errors are correlated over more than a window.
+/// A scanline of pieces, each at a random distance from the line. The pixels of a piece share their error,
+/// whose variance is that of the model.
 Scan noisyPieces(int pieces, int windows_per_piece) {
   // The distance of a piece from the line through its neighbours has 1.5 times the variance of a piece.
-  const double sigma = std::sqrt(1.05 / 1.5) * NoiseParameters{}.sigma(1.0 / kRho) * kRho * kRho;
+  const double sigma = std::sqrt(1.0 / 1.5) * NoiseParameters{}.sigma(1.0 / kRho) * kRho * kRho;
   Random random(2);
   Scan scan(kWindow);
   for (int piece = 0; piece < pieces; ++piece) {

@@ -57,34 +57,29 @@ TEST(CrossingDetector, LinksNothingAcrossAStep) {
   }
 }
 
-/// Whether the crossing of a row and a column of a wall is a candidate, with one or two windows of each.
-bool isCandidate(int row_windows, int column_windows, int row_pixels, int column_pixels) {
-  const auto scanline = [](int windows, int pixels) {
+/// Whether the crossing of a row and a column of a wall is a candidate.
+bool isCandidate(int row_pixels, int column_pixels) {
+  const auto scanline = [](int pixels) {
     ScanlineSet set;
-    set.window = 10;
-    set.windows = 3;
+    set.window = 30;
+    set.windows = 1;
     set.pixels = {15};
-    set.segment_of = {windows == 2 ? 0 : -1, 0, -1};
-    for (int w = 0; w < set.windows; ++w) {
-      LineSums sums;  // of a wall 2 m away; all pixels are in the window at the crossing
-      for (int i = 0; w == 1 && i < pixels; ++i)
-        sums = sums + LineSums{1, 0.01 * i, 1e-4 * i * i, 0.5, 5e-3 * i, 0.25};
-      set.sums.push_back(sums);
-    }
+    set.segment_of = {0};
+    LineSums sums;  // of a wall 2 m away
+    for (int i = 0; i < pixels; ++i) sums = sums + LineSums{1, 0.01 * i, 1e-4 * i * i, 0.5, 5e-3 * i, 0.25};
+    set.sums = {sums};
     return set;
   };
-  const ScanlineSet rows = scanline(row_windows, row_pixels),
-                    columns = scanline(column_windows, column_pixels);
   CandidateGrid grid;
-  CrossingDetector().detect(raysOf(kinectCamera(30, 30), 30, 30), rows, columns, adaptiveParameters(kWidth),
-                            grid);
+  CrossingDetector().detect(raysOf(kinectCamera(30, 30), 30, 30), scanline(row_pixels),
+                            scanline(column_pixels), adaptiveParameters(kWidth), grid);
   return grid.candidates.size() == 1;
 }
 
 TEST(CrossingDetector, NeedsPixelsThatSpanAPlane) {
-  EXPECT_TRUE(isCandidate(1, 1, 2, 2));
-  EXPECT_TRUE(isCandidate(2, 1, 5, 5));
-  EXPECT_FALSE(isCandidate(1, 1, 1, 1));
+  EXPECT_TRUE(isCandidate(2, 2));
+  EXPECT_TRUE(isCandidate(5, 5));
+  EXPECT_FALSE(isCandidate(1, 1));
 }
 
 /// A tree of the candidates of an image, merged up to a limit.

@@ -84,7 +84,7 @@ struct Assignment : ClusteredImage {
     if (label == 0 || label == kNoDepthLabel) return label;
     const double x = rays.x[static_cast<std::size_t>(u)], y = rays.y[static_cast<std::size_t>(v)];
     const std::size_t best = label - 1U;
-    const DepthTolerance reach{parameters.noise, 0.5 * parameters.extraction.distance_noise_factor};
+    const DepthTolerance reach{parameters.noise, parameters.extraction.distance_noise_factor};
     std::uint16_t sided = label;
     int creases_here = 0;
     for (std::size_t k = 0; k < clusters.size(); ++k) {

@@ -30,21 +30,25 @@ def lines(items):
 
 
 def constants_of_the_core():
-    """((file, name), value) of each constant in src/core that is a number; those of the kernels are widths and bit masks."""
-    not_of_the_method = {"kPi", "kBlock", "kSeenInByte", "kNoDepthLabel"}
+    """((file, name), value) of each constant in src/core; those of the kernels are widths and bit masks."""
+    not_of_the_method = {"kPi", "kBlock", "kSeenInByte", "kNoDepthLabel", "kNever", "kFactor"}
+    expressions = {"kClearance": "0.3", "kMaxPixels": "268435456", "kMaxPlanes": "65534"}
     types = "double|float|int|std::size_t|std::int64_t|std::uint32_t|std::ptrdiff_t|std::uint16_t"
     for path in glob.glob(os.path.join(ROOT, "src", "core", "**", "*.*"), recursive=True):
         if os.sep + "kernels" + os.sep in path or not path.endswith((".h", ".cpp")):
             continue
         code = re.sub(r"//.*", "", read(path))
-        for definitions in re.findall(r"constexpr (?:%s) (k[^;{]+);" % types, code):
-            for name, numbers, operator, more in re.findall(
-                    r"(k\w+)\s*=\s*(-?[\d.e-]+)F?(?: ([*/]) ([\d.]+))?(?=$|,)", definitions):
-                value = fractions.Fraction(numbers)
-                if operator:
-                    value = value * int(more) if operator == "*" else value / int(float(more))
-                if name not in not_of_the_method:
-                    yield (os.path.splitext(os.path.basename(path))[0], name), value
+        for definition in re.findall(r"constexpr (?:%s)\s+(k[^;]+);" % types, code):
+            for name, value in re.findall(r"(k\w+)\s*=\s*([^,]+)", definition):
+                if name in not_of_the_method:
+                    continue
+                number = re.fullmatch(r"(-?[\d.e-]+)F?(?: ([*/]) ([\d.]+))?", value.strip())
+                if number is None:
+                    number = re.fullmatch(r"([\d.]+)()()", expressions[name])
+                value = fractions.Fraction(number[1])
+                if number[2]:
+                    value = value * int(number[3]) if number[2] == "*" else value / int(float(number[3]))
+                yield (os.path.splitext(os.path.basename(path))[0], name), value
 
 
 class DocumentChecks(unittest.TestCase):

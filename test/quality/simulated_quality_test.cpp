@@ -159,14 +159,14 @@ void expectInRooms(const QualityFigures& floors, double max_curved,
   EXPECT_LE(curved, max_curved);
 }
 
-TEST_F(SimulatedQuality, ofSeenRooms) { expectInRooms({0.72, 0.73, 0.81, 0.92, 0.96}, 0.05, seen().frames); }
+TEST_F(SimulatedQuality, ofSeenRooms) { expectInRooms({0.74, 0.75, 0.82, 0.945, 0.96}, 0.04, seen().frames); }
 
 TEST_F(SimulatedQuality, ofUnseenRoomsThatDecide) {
-  expectInRooms({0.745, 0.755, 0.85, 0.935, 0.95}, 0.10, framesOf(kDecidingRooms));
+  expectInRooms({0.775, 0.785, 0.855, 0.945, 0.95}, 0.09, framesOf(kDecidingRooms));
 }
 
 TEST_F(SimulatedQuality, ofUnseenRoomsThatConfirm) {
-  expectInRooms({0.67, 0.685, 0.79, 0.925, 0.95}, 0.10, framesOf(kConfirmingRooms));
+  expectInRooms({0.71, 0.725, 0.81, 0.945, 0.95}, 0.09, framesOf(kConfirmingRooms));
 }
 
 TEST_F(SimulatedQuality, ofPixelsWherePlanesMeet) {

@@ -116,9 +116,6 @@ void NoiseMeter::collect(const ScanlineSet& set, const NoiseParameters& noise, i
 // @param chi_squared  the quantile of chi-squared with one degree of freedom
 double NoiseMeter::ratioOver(const ScanlineSet& rows, const ScanlineSet& columns,
                              const NoiseParameters& noise, int windows, double quantile, double chi_squared) {
-  // A Kinect's errors are correlated along the scanline by disparity steps, so that the variance of the
-  // deviation hardly depends on the length of the pieces, and is about that of a pixel
-  // (test/core/line_growing_test.cpp).
   constexpr std::size_t kFewest = 20;
   deviations_.clear();
   collect(rows, noise, windows);

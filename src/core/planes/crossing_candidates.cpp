@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "planes/crossing_candidates.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace line_plane_segmentation {
@@ -64,7 +65,7 @@ double curvatureOf(const CrossingCandidate& candidate) {
   const double along = by_x.squaredNorm() * xx + 2.0 * by_x.dot(by_y) * xy + by_y.squaredNorm() * yy;
   const double distance = z / plane.inverseDistance();
   const double across = candidate.squared_error * inv * distance * distance;
-  return across / (across + along);
+  return std::min(across / (across + along), 1.0 / 3.0);  // the first order knows no upper bound
 }
 
 // Fits the candidate where row r and column c of the grid cross.

@@ -25,7 +25,7 @@ constexpr std::size_t kMinLinks = 3;
 // So few candidates leave most of a plane's pixels out.
 constexpr int kFewCandidates = 28;
 
-// Whether candidates span few rows or few columns of the grid.
+// Whether a plane has few candidates, or few across its longer side.
 bool isNarrow(const std::vector<int>& candidates, const CandidateGrid& grid) {
   int first_column = grid.columns, last_column = 0, first_row = grid.rows, last_row = 0;
   for (const int i : candidates) {
@@ -124,6 +124,7 @@ void PlaneClusterer::dropPiecesOfCurved(const CandidateGrid& grid, double fracti
     if (a < 0 || b < 0 || a == b) continue;
     const bool is_a_smaller = tree_.node(a).candidates < tree_.node(b).candidates;
     const auto [small, large] = is_a_smaller ? std::pair(a, b) : std::pair(b, a);
+    // Others are no pieces of a curved surface: a short list is sorted sooner.
     if (tree_.node(large).candidates >= kMinCompared) neighbors_.push_back({small, large});
   }
   std::sort(neighbors_.begin(), neighbors_.end());

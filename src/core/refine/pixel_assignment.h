@@ -14,8 +14,9 @@ namespace line_plane_segmentation {
 ///
 /// Each pixel is assigned to the plane that it fits best, among those with a candidate in the same or an
 /// adjacent tile of the scanline grid, if it lies within the tolerance, so that no plane extends into a
-/// surface far from its candidates. Where two planes that meet in a crease differ by less than the noise, a
-/// pixel is assigned by the side of their line of intersection that it lies on.
+/// surface far from its candidates. Where two planes that meet in a crease differ by less than the
+/// noise's tolerance (distance_noise_factor), a pixel is assigned by the side of their line of intersection
+/// that it lies on.
 class PixelAssigner {
  public:
   /// @param cluster_at  index in `clusters` per crossing of the grid, -1 if none
@@ -34,8 +35,8 @@ class PixelAssigner {
   void assignSpans(const std::vector<PlaneCluster>& clusters, const float* z, const ViewRays& rays, double y);
 
   /// The line of intersection of two planes, in columns first to last - 1: in the row with the ray y it is at
-  /// the column offset + y * per_y, and up to `reach` columns from it the planes differ by less than the
-  /// noise.
+  /// the column offset + y * per_y, and up to `reach` columns from it the planes differ by less than
+  /// the noise's tolerance.
   struct PlaneIntersection {
     int first, last;
     double offset, per_y, reach;

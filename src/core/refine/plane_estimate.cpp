@@ -13,7 +13,7 @@ namespace {
 constexpr double kIndependentPixels = 12.0;
 
 // A candidate's pixels share their errors, and so do neighbouring candidates: so many count as one. In
-// simulated frames 95.7 % of the normalised errors are then within their 95 % bound.
+// simulated frames 96 % of the normalised errors are then within their 95 % bound.
 constexpr double kSharedCandidates = 3.5;
 
 // The variance of few candidates is uncertain: it counts beside that of the pixels, which has the weight of

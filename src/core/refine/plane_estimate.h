@@ -17,7 +17,7 @@ struct PlaneEstimate {
 };
 
 /// The plane of a cluster of candidates. Its regression weighs every pixel by the sensor's noise there, and
-/// knows only pixels of straight windows, none of the borders where surfaces run into each other: a surer
+/// knows only pixels of flat candidates, none of the borders where surfaces run into each other: a surer
 /// estimate than a fit to all pixels with the plane's label.
 ///
 /// The covariance is that of the regression of the candidates' mean points, from what these deviate from the
