@@ -135,19 +135,18 @@ TEST(DescribeSegments, CountsThePointsBetweenTheEnds) {
 TEST(DescribeSegments, HasTheCovarianceThatRepeatedNoiseGives) {
   Eigen::Vector2d sum = Eigen::Vector2d::Zero();
   Eigen::Matrix2d squares = Eigen::Matrix2d::Zero(), predicted = Eigen::Matrix2d::Zero();
-  int trials = 0;
-  for (std::uint64_t trial = 0; trial < 300; ++trial) {
+  constexpr int kTrials = 300;
+  for (std::uint64_t trial = 0; trial < kTrials; ++trial) {
     const Lines lines(noisy(render(surfaceAt(1.6, 0.3), kCamera, kWidth, 20), 1.0, 100 + trial));
     const std::vector<LineSegment> segments = lines.described();
     const LineSegment& segment = segments.front();
     ASSERT_EQ(segment.points, kWidth);
-    ++trials;
     const Eigen::Vector2d polar(segment.alpha, segment.r);
     sum += polar;
     squares += polar * polar.transpose();
     predicted += segment.covariance;
   }
-  const Eigen::Matrix2d sampled = squares - sum * sum.transpose() / trials;
+  const Eigen::Matrix2d sampled = squares - sum * sum.transpose() / kTrials;
   for (const int i : {0, 1}) EXPECT_NEAR(sampled(i, i) / predicted(i, i), 1.0, 0.3) << i;
 }
 

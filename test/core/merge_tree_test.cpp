@@ -82,6 +82,14 @@ TEST(CrossingDetector, NeedsPixelsThatSpanAPlane) {
   EXPECT_FALSE(isCandidate(1, 1));
 }
 
+TEST(CrossingCandidate, HasACurvatureOfAtMostAThird) {
+  CrossingCandidate candidate =
+      findCandidates(render(surfaceAt(2.0), kCamera, kWidth, kHeight)).grid.candidates.at(0);
+  EXPECT_NEAR(candidate.describe().curvature, 0.0, 1e-4);
+  candidate.squared_error = 1e9;
+  EXPECT_EQ(candidate.describe().curvature, 1.0 / 3.0);
+}
+
 /// A tree of the candidates of an image, merged up to a limit.
 struct Tree : MergeTree {
   CandidateImage image;

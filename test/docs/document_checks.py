@@ -32,7 +32,8 @@ def lines(items):
 def constants_of_the_core():
     """((file, name), value) of each constant in src/core; those of the kernels are widths and bit masks."""
     not_of_the_method = {"kPi", "kBlock", "kSeenInByte", "kNoDepthLabel", "kNever", "kFactor"}
-    expressions = {"kClearance": "0.3", "kMaxPixels": "268435456", "kMaxPlanes": "65534"}
+    expressions = {"2.4 * BorderSimplifier::kInset": "0.3", "std::size_t{1} << 28": "268435456",
+                   "std::numeric_limits<std::uint16_t>::max() - 1": "65534"}
     types = "double|float|int|std::size_t|std::int64_t|std::uint32_t|std::ptrdiff_t|std::uint16_t"
     for path in glob.glob(os.path.join(ROOT, "src", "core", "**", "*.*"), recursive=True):
         if os.sep + "kernels" + os.sep in path or not path.endswith((".h", ".cpp")):
@@ -42,9 +43,10 @@ def constants_of_the_core():
             for name, value in re.findall(r"(k\w+)\s*=\s*([^,]+)", definition):
                 if name in not_of_the_method:
                     continue
-                number = re.fullmatch(r"(-?[\d.e-]+)F?(?: ([*/]) ([\d.]+))?", value.strip())
+                value = " ".join(value.split())
+                number = re.fullmatch(r"(-?[\d.e-]+)F?(?: ([*/]) ([\d.]+))?", expressions.get(value, value))
                 if number is None:
-                    number = re.fullmatch(r"([\d.]+)()()", expressions[name])
+                    raise ValueError("%s: %s = %s is no number; list the expression" % (path, name, value))
                 value = fractions.Fraction(number[1])
                 if number[2]:
                     value = value * int(number[3]) if number[2] == "*" else value / int(float(number[3]))

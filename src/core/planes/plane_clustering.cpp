@@ -113,9 +113,11 @@ void PlaneClusterer::dropPiecesOfCurved(const CandidateGrid& grid, double fracti
     }
   }
   const auto find = [this](int node) { return std::find(planes_.begin(), planes_.end(), node); };
+  const auto is_plane = [&](int node) { return find(node) != planes_.end(); };
   const auto drop = [&](int node) {
-    if (find(node) == planes_.end()) return;
-    planes_.erase(find(node));
+    const auto plane = find(node);
+    if (plane == planes_.end()) return;
+    planes_.erase(plane);
     others_.push_back(node);
   };
   neighbors_.clear();
@@ -131,8 +133,8 @@ void PlaneClusterer::dropPiecesOfCurved(const CandidateGrid& grid, double fracti
   for (std::size_t first = 0, last = 0; first < neighbors_.size(); first = last) {
     while (last < neighbors_.size() && neighbors_[last] == neighbors_[first]) ++last;
     const auto [small, large] = neighbors_[first];
-    const bool has_plane = find(small) != planes_.end() || find(large) != planes_.end();
-    if (last - first < kMinLinks || !has_plane || !tree_.isPieceOfCurved(small, large)) continue;
+    if (last - first < kMinLinks || !(is_plane(small) || is_plane(large))) continue;
+    if (!tree_.isPieceOfCurved(small, large)) continue;
     drop(small);
     const int candidates = tree_.node(small).candidates + tree_.node(large).candidates;
     const double max_bend = allowDistortion(parameters.max_bend, candidates * fraction_per_candidate);
