@@ -103,7 +103,7 @@ struct ExtractionParameters {
   double neighbor_distance = 0.03;
   /// [-] Smallest value of both distances in standard deviations of the depth (Eq. 5). Increase to
   /// keep distant planes whole; decrease to separate distant parallel planes.
-  double distance_noise_factor = 3.8;
+  double distance_noise_factor = 3.0;
   /// [px] Smallest plane, N, 0 = from the image width; paper: 5000 (VGA), 1000 (QVGA). Increase to
   /// keep large planes only; decrease to find smaller planes.
   int min_plane_inliers = 0;

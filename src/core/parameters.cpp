@@ -113,7 +113,7 @@ Parameters resolve(const Parameters& parameters, int width) {
     setIfZero(p.scanlines.scanline_spacing, std::max(4, fromWidth(10, 12, 1.0, w)));
     setIfZero(p.lines.line_window, std::max(3, p.scanlines.scanline_spacing / 2));
     setIfZero(p.lines.min_line_points, std::max(2, p.lines.line_window / 2));
-    setIfZero(p.extraction.min_plane_inliers, fromWidth(575, 2300, 2.0, w));
+    setIfZero(p.extraction.min_plane_inliers, fromWidth(525, 2100, 2.0, w));
   }
   setIfZero(p.cleanup.min_region_pixels, fromWidth(100, 400, 2.0, w));
   setIfZero(p.scanlines.scanline_spacing, fromWidth(20, 30, 1.0, w));
@@ -143,7 +143,7 @@ bool loadPreset(const std::string& name, Parameters& parameters) {
     // The same with f = 430 px and b = 18 mm (D405).
     parameters.noise = {0.0002, 0.0103, 0.0, 0.0};
     parameters.scanlines.min_range = 0.05;
-    parameters.patches.patch_distance = 0.001;
+    parameters.patches.patch_distance = 1e-5;
     parameters.extraction.plane_distance = 0.005;
   } else if (name == "tof") {
     // 1.5 mm up close to 4 mm at 3.5 m (Azure Kinect; Tölgyessy et al. 2021).
@@ -154,19 +154,16 @@ bool loadPreset(const std::string& name, Parameters& parameters) {
     parameters.noise = {0.0007, 0.0, 0.0, 1.0};  // steps of 1.3 mm, near and far
     parameters.scanlines.min_range = 0.1;
     parameters.scanlines.scanline_spacing = 5;
-    parameters.lines.line_window = 3;
     parameters.patches.patch_noise_factor = 1.5;
     parameters.patches.patch_distance = 1e-5;
     parameters.patches.patch_flatness = 3.0;
     parameters.clusters.merge_cost = 5.0;
     parameters.clusters.coplanar_cost = 0.0;  // every face for itself
     parameters.clusters.max_curvedness = 1000.0;
-    parameters.clusters.max_waviness = 0.45;
-    parameters.clusters.max_bend = 1000.0;
-    parameters.extraction.plane_distance = 1e-4;
-    parameters.extraction.distance_noise_factor = 4.0;
-    parameters.extraction.min_plane_inliers = 120;
+    parameters.clusters.max_waviness = 1000.0;
     parameters.clusters.min_patches = 4;
+    parameters.extraction.plane_distance = 0.002;
+    parameters.extraction.min_plane_inliers = 120;
     parameters.cleanup.min_region_pixels = 30;
   }
   return true;

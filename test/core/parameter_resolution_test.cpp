@@ -149,8 +149,8 @@ TEST(Resolve, GivesTheDefaultsOfTheDefaultMethod) {
     return std::vector<int>{p.scanlines.scanline_spacing, p.lines.line_window, p.lines.min_line_points,
                             p.extraction.min_plane_inliers, p.cleanup.min_region_pixels};
   };
-  EXPECT_EQ(values_at(640), (std::vector<int>{12, 6, 3, 2300, 400}));
-  EXPECT_EQ(values_at(320), (std::vector<int>{10, 5, 2, 575, 100}));
+  EXPECT_EQ(values_at(640), (std::vector<int>{12, 6, 3, 2100, 400}));
+  EXPECT_EQ(values_at(320), (std::vector<int>{10, 5, 2, 525, 100}));
 }
 
 TEST(Resolve, HasLeastLengthsInTinyImages) {

@@ -270,8 +270,10 @@ TEST(PixelAssigner, OfNoPlanesOrNoDepthGivesNoLabels) {
 bool isLeftWall(int nearest, int farthest) {
   const Surface left = surfaceAt(1.8, 0.15), right = surfaceAt(1.8, -0.15);
   const CameraIntrinsics camera = kinectCamera(320, 240);
+  Parameters parameters = adaptiveParameters(320);
+  parameters.extraction.distance_noise_factor = 3.8;
   PixelAssigner assigner;
-  Assignment assignment(halves(left, right, camera, 320, 240), adaptiveParameters(320), assigner);
+  Assignment assignment(halves(left, right, camera, 320, 240), parameters, assigner);
   EXPECT_EQ(assignment.clusters.size(), 2U);
   paint(right, camera, {160 - farthest, 161 - nearest, 100, 101}, assignment.depth);
   assignment.assign(assigner);

@@ -112,6 +112,20 @@ TEST(PlaneClusterer, DropsClustersOfTooFewCandidates) {
   for (const int cluster : found.cluster_at) EXPECT_EQ(cluster, -1);
 }
 
+TEST(PlaneClusterer, JoinsPartsOfTooFewCandidatesBeforeItDropsThem) {
+  const Surface wall = surfaceAt(1.6), bars = surfaceAt(1.2);
+  DepthImage depth = render(wall, kCamera, kWidth, kHeight);
+  for (int u = 30; u + 20 <= kWidth; u += 50) paint(bars, kCamera, {u, u + 20, 0, kHeight}, depth);
+  for (int v = 30; v + 20 <= kHeight; v += 50) paint(bars, kCamera, {0, kWidth, v, v + 20}, depth);
+  Parameters parameters = adaptiveParameters(kWidth);
+  parameters.clusters.min_patches = 20;  // an opening has room for nine crossings
+  const Clusters found(noisy(depth, 0.3), parameters);
+  for (int u = 65; u < kWidth - 30; u += 50) {
+    EXPECT_TRUE(found.isAt(u, 115, wall)) << u;
+    EXPECT_EQ(found.at(u, 115), found.at(65, 115)) << u;
+  }
+}
+
 TEST(PlaneClusterer, FindsAPlaneNarrowerThanTwoScanlineSpacings) {
   const Surface strip = surfaceAt(1.2, 0.1);
   DepthImage depth = render(surfaceAt(2.0), kCamera, kWidth, kHeight);

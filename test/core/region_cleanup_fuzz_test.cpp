@@ -37,6 +37,8 @@ struct Clutter {
     parameters = adaptiveParameters(width);
     parameters.cleanup.min_region_pixels = random.integer(2, 12);
     parameters.extraction.min_plane_inliers = 0;
+    parameters.extraction.distance_noise_factor =
+        3.8;  // the planes' slope from pixel to pixel is seldom a step
     parameters.extraction.plane_distance = random.uniform(0.0, 0.03);
     paintBands(camera, random);
     for (int i = random.integer(2, 25); i > 0; --i) addSpeckle(random);

@@ -13,7 +13,7 @@
 namespace line_plane_segmentation {
 namespace {
 
-constexpr std::size_t kMaxPlanes = 100;  // all pairs of the largest ones are compared: bounds the time
+constexpr std::size_t kMaxPlanes = 64;  // all pairs of the largest ones are compared: bounds the time
 
 constexpr int kMaxSamples = 64;  // of the line between two planes: a quarter is 16 of them
 

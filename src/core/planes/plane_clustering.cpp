@@ -82,14 +82,14 @@ void PlaneClusterer::addParts(int root, double fraction_per_candidate, int min_c
 
 void PlaneClusterer::addPlanes(int root, double fraction_per_candidate, int min_candidates,
                                const ClusterParameters& parameters) {
+  if (root < tree_.leaves()) return;  // a candidate that no neighbour confirms
   const MergeTree::Node& node = tree_.node(root);
-  if (node.candidates < parameters.min_patches) return;
   if (isPlane(root, node.candidates * fraction_per_candidate, parameters)) {
     planes_.push_back(root);
     return;
   }
   const std::size_t before = planes_.size();
-  if (root >= tree_.leaves()) addParts(root, fraction_per_candidate, min_candidates, parameters);
+  addParts(root, fraction_per_candidate, min_candidates, parameters);
   int candidates = 0;
   double squares = 0.0;
   for (std::size_t k = before; k < planes_.size(); ++k) {
@@ -152,8 +152,7 @@ void PlaneClusterer::cluster(const DepthImage& depth, const ViewRays& rays, cons
   // A part has to be large enough for the smallest plane: as many crossings as that has pixels.
   const double pixels_per_crossing = static_cast<double>(grid.spacing) * grid.spacing;
   const int min_candidates =
-      std::max(parameters.clusters.min_patches,
-               static_cast<int>(std::lround(parameters.extraction.min_plane_inliers / pixels_per_crossing)));
+      static_cast<int>(std::lround(parameters.extraction.min_plane_inliers / pixels_per_crossing));
   planes_.clear();
   others_.clear();
   const double distorted_fraction = distortion * grid.fractionPerCandidate();
@@ -165,8 +164,13 @@ void PlaneClusterer::cluster(const DepthImage& depth, const ViewRays& rays, cons
 
   clusters.clear();
   cluster_at.assign(grid.candidate_at.size(), -1);
-  for (const int plane : planes_) addCluster(plane, true, grid, clusters, cluster_at);
-  for (const int other : others_) addCluster(other, false, grid, clusters, cluster_at);
+  // Not before: the parts of a plane between objects may be small.
+  for (const bool is_plane : {true, false}) {
+    for (const int node : is_plane ? planes_ : others_) {
+      if (tree_.node(node).candidates >= parameters.clusters.min_patches)
+        addCluster(node, is_plane, grid, clusters, cluster_at);
+    }
+  }
 }
 
 void PlaneClusterer::addCluster(int i, bool is_plane, const CandidateGrid& grid,

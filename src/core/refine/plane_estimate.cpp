@@ -14,7 +14,7 @@ constexpr double kIndependentPixels = 12.0;
 
 // A candidate's pixels share their errors, and so do neighbouring candidates: so many count as one. In
 // simulated frames 96 % of the normalised errors are then within their 95 % bound.
-constexpr double kSharedCandidates = 3.5;
+constexpr double kSharedCandidates = 3.0;
 
 // The variance of few candidates is uncertain: it counts beside that of the pixels, which has the weight of
 // so many candidates.
