@@ -143,7 +143,7 @@ bool loadPreset(const std::string& name, Parameters& parameters) {
     // The same with f = 430 px and b = 18 mm (D405).
     parameters.noise = {0.0002, 0.0103, 0.0, 0.0};
     parameters.scanlines.min_range = 0.05;
-    parameters.patches.patch_distance = 1e-5;
+    parameters.patches.patch_distance = 0.001;
     parameters.extraction.plane_distance = 0.005;
   } else if (name == "tof") {
     // 1.5 mm up close to 4 mm at 3.5 m (Azure Kinect; Tölgyessy et al. 2021).

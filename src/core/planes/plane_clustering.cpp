@@ -152,7 +152,8 @@ void PlaneClusterer::cluster(const DepthImage& depth, const ViewRays& rays, cons
   // A part has to be large enough for the smallest plane: as many crossings as that has pixels.
   const double pixels_per_crossing = static_cast<double>(grid.spacing) * grid.spacing;
   const int min_candidates =
-      static_cast<int>(std::lround(parameters.extraction.min_plane_inliers / pixels_per_crossing));
+      std::max(parameters.clusters.min_patches,
+               static_cast<int>(std::lround(parameters.extraction.min_plane_inliers / pixels_per_crossing)));
   planes_.clear();
   others_.clear();
   const double distorted_fraction = distortion * grid.fractionPerCandidate();
