@@ -251,6 +251,7 @@ TEST(Presets, OfStereoCamerasHaveErrorsThatGrowWithTheSquaredDepth) {
   EXPECT_NEAR(stereo.noise.sigma(4.0) - stereo.noise.sigma(0.0),
               16.0 * kDisparityError / (kFocalLength * kBaseline), 1e-3);
   EXPECT_LT(near.noise.sigma(0.1), stereo.noise.sigma(0.1));
+  EXPECT_EQ(near.patches.patch_distance, 0.001);
   EXPECT_GT(near.noise.sigma(2.0), stereo.noise.sigma(2.0));
   EXPECT_LT(tof.noise.sigma(3.5), 0.1 * stereo.noise.sigma(3.5));
   for (const Parameters& p : {stereo, near, tof}) EXPECT_EQ(p.noise.scale, 0.0) << "measured in each image";

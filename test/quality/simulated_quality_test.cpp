@@ -159,14 +159,16 @@ void expectInRooms(const QualityFigures& floors, double max_curved,
   EXPECT_LE(curved, max_curved);
 }
 
-TEST_F(SimulatedQuality, ofSeenRooms) { expectInRooms({0.74, 0.75, 0.82, 0.945, 0.96}, 0.04, seen().frames); }
+TEST_F(SimulatedQuality, ofSeenRooms) {
+  expectInRooms({0.79, 0.795, 0.87, 0.945, 0.96}, 0.04, seen().frames);
+}
 
 TEST_F(SimulatedQuality, ofUnseenRoomsThatDecide) {
-  expectInRooms({0.775, 0.785, 0.855, 0.945, 0.95}, 0.09, framesOf(kDecidingRooms));
+  expectInRooms({0.835, 0.845, 0.91, 0.945, 0.95}, 0.09, framesOf(kDecidingRooms));
 }
 
 TEST_F(SimulatedQuality, ofUnseenRoomsThatConfirm) {
-  expectInRooms({0.71, 0.725, 0.81, 0.945, 0.95}, 0.09, framesOf(kConfirmingRooms));
+  expectInRooms({0.755, 0.765, 0.86, 0.945, 0.95}, 0.09, framesOf(kConfirmingRooms));
 }
 
 TEST_F(SimulatedQuality, ofPixelsWherePlanesMeet) {

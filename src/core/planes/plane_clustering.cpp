@@ -82,7 +82,7 @@ void PlaneClusterer::addParts(int root, double fraction_per_candidate, int min_c
 
 void PlaneClusterer::addPlanes(int root, double fraction_per_candidate, int min_candidates,
                                const ClusterParameters& parameters) {
-  if (root < tree_.leaves()) return;  // a candidate that no neighbour confirms
+  if (root < tree_.leaves()) return;  // no neighbour confirms a single candidate
   const MergeTree::Node& node = tree_.node(root);
   if (isPlane(root, node.candidates * fraction_per_candidate, parameters)) {
     planes_.push_back(root);
@@ -165,7 +165,7 @@ void PlaneClusterer::cluster(const DepthImage& depth, const ViewRays& rays, cons
 
   clusters.clear();
   cluster_at.assign(grid.candidate_at.size(), -1);
-  // Not before: the parts of a plane between objects may be small.
+  // Small clusters are removed after merging, because objects in front divide a plane into small parts.
   for (const bool is_plane : {true, false}) {
     for (const int node : is_plane ? planes_ : others_) {
       if (tree_.node(node).candidates >= parameters.clusters.min_patches)
