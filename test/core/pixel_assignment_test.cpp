@@ -270,10 +270,8 @@ TEST(PixelAssigner, OfNoPlanesOrNoDepthGivesNoLabels) {
 bool isLeftWall(int nearest, int farthest) {
   const Surface left = surfaceAt(1.8, 0.15), right = surfaceAt(1.8, -0.15);
   const CameraIntrinsics camera = kinectCamera(320, 240);
-  Parameters parameters = adaptiveParameters(320);
-  parameters.extraction.distance_noise_factor = 3.8;
   PixelAssigner assigner;
-  Assignment assignment(halves(left, right, camera, 320, 240), parameters, assigner);
+  Assignment assignment(halves(left, right, camera, 320, 240), adaptiveParameters(320), assigner);
   EXPECT_EQ(assignment.clusters.size(), 2U);
   paint(right, camera, {160 - farthest, 161 - nearest, 100, 101}, assignment.depth);
   assignment.assign(assigner);
@@ -283,10 +281,10 @@ bool isLeftWall(int nearest, int farthest) {
   return labels[160 - nearest] == label;
 }
 
-// A tolerance along the ray is nine to ten pixels here.
+// A tolerance along the ray is seven to eight pixels here.
 TEST(PixelAssigner, SplitsAtACreaseWithinATolerance) {
-  EXPECT_TRUE(isLeftWall(1, 8));
-  EXPECT_FALSE(isLeftWall(11, 14));
+  EXPECT_TRUE(isLeftWall(1, 6));
+  EXPECT_FALSE(isLeftWall(9, 12));
 }
 
 }  // namespace

@@ -37,8 +37,6 @@ struct Clutter {
     parameters = adaptiveParameters(width);
     parameters.cleanup.min_region_pixels = random.integer(2, 12);
     parameters.extraction.min_plane_inliers = 0;
-    parameters.extraction.distance_noise_factor =
-        3.8;  // the planes' slope from pixel to pixel is seldom a step
     parameters.extraction.plane_distance = random.uniform(0.0, 0.03);
     paintBands(camera, random);
     for (int i = random.integer(2, 25); i > 0; --i) addSpeckle(random);
@@ -54,7 +52,7 @@ struct Clutter {
     int first = 0;
     for (int k = 0; k < kPlanes; ++k) {
       const Surface plane =
-          surfaceAt(random.uniform(1.4, 1.5), random.uniform(-0.2, 0.2), random.uniform(-0.2, 0.2));
+          surfaceAt(random.uniform(1.4, 1.5), random.uniform(-0.15, 0.15), random.uniform(-0.15, 0.15));
       clusters.push_back(clusterOf(plane));
       const int last = k + 1 < kPlanes ? random.integer(first, width) : width;
       paint(plane, camera, {first, last, 0, height}, depth);

@@ -20,7 +20,7 @@ const ViewRays kRays = raysOf(kCamera, kWidth, kHeight);
 
 /// Two walls that meet in the middle of the image, and a label image to be cleaned.
 struct TwoWalls {
-  const Surface left = surfaceAt(1.5, 0.4), right = surfaceAt(1.5, -0.4);
+  const Surface left = surfaceAt(1.5, 0.3), right = surfaceAt(1.5, -0.3);
   const std::vector<PlaneCluster> clusters = {clusterOf(left), clusterOf(right), clusterOf(surfaceAt(9.0))};
   DepthImage depth = blankDepth(kWidth, kHeight);
   std::vector<std::uint16_t> labels = std::vector<std::uint16_t>(kWidth * kHeight, 0);
@@ -30,7 +30,6 @@ struct TwoWalls {
   TwoWalls() {
     parameters.cleanup.min_region_pixels = 20;
     parameters.extraction.min_plane_inliers = 100;
-    parameters.extraction.distance_noise_factor = 3.8;  // the walls' slope from pixel to pixel is no step
     paint(left, kCamera, {0, 30, 0, kHeight}, depth);
     paint(right, kCamera, {30, kWidth, 0, kHeight}, depth);
     label(1, {0, 30, 0, kHeight});

@@ -127,7 +127,9 @@ void PlaneClusterer::dropPiecesOfCurved(const CandidateGrid& grid, double fracti
     const bool is_a_smaller = tree_.node(a).candidates < tree_.node(b).candidates;
     const auto [small, large] = is_a_smaller ? std::pair(a, b) : std::pair(b, a);
     // Others are no pieces of a curved surface: a short list is sorted sooner.
-    if (tree_.node(large).candidates >= kMinCompared) neighbors_.push_back({small, large});
+    if (tree_.node(small).candidates >= parameters.min_patches &&
+        tree_.node(large).candidates >= kMinCompared)
+      neighbors_.push_back({small, large});
   }
   std::sort(neighbors_.begin(), neighbors_.end());
   for (std::size_t first = 0, last = 0; first < neighbors_.size(); first = last) {
