@@ -157,7 +157,7 @@ bool loadPreset(const std::string& name, Parameters& parameters) {
     parameters.patches.patch_noise_factor = 1.5;
     parameters.patches.patch_distance = 1e-5;
     parameters.patches.patch_flatness = 3.0;
-    parameters.clusters.merge_cost = 5.0;
+    parameters.clusters.merge_cost = 8.0;
     parameters.clusters.coplanar_cost = 0.0;  // every face for itself
     parameters.clusters.max_curvedness = 1000.0;
     parameters.clusters.max_waviness = 1000.0;
