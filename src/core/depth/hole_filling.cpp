@@ -18,12 +18,12 @@ constexpr int kStride =
 
 // Holes of at most `max_hole` pixels between valid ones.
 int countHoles(const float* z, std::ptrdiff_t stride, int count, int max_hole) {
-  int holes = 0, last_valid = -1;
+  int holes = 0, last_valid = count;  // none: no hole is that short
   for (int i = 0; i < count; ++i, z += stride) {
-    if (!(*z > 0.0F)) continue;
+    const bool is_valid = *z > 0.0F;
     const int hole = i - last_valid - 1;
-    holes += (last_valid >= 0) & (hole > 0) & (hole <= max_hole) ? 1 : 0;
-    last_valid = i;
+    holes += static_cast<int>(is_valid & (hole > 0) & (hole <= max_hole));
+    last_valid = is_valid ? i : last_valid;
   }
   return holes;
 }

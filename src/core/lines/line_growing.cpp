@@ -94,21 +94,30 @@ void LineGrower::grow(const std::vector<float>& orthogonal_ray, const Parameters
 // Collects the squared distances of pieces that are `windows` windows long.
 void NoiseMeter::collect(const ScanlineSet& set, const NoiseParameters& noise, int windows) {
   constexpr double kMinFilled = 0.7;
-  const auto sum = [windows](const LineSums* first) {
-    LineSums total = first[0];
-    for (int i = 1; i < windows; ++i) total = total + first[i];
-    return total;
+  struct Piece {
+    double t = 0.0, rho = 0.0;  // means
+    bool is_filled = false;
   };
+  const double min_pixels = kMinFilled * windows * set.window;
+  const auto pieceAt = [windows, min_pixels](const LineSums* sums) {
+    double n = 0.0, t = 0.0, rho = 0.0;
+    for (int i = 0; i < windows; ++i) n += sums[i].n, t += sums[i].t, rho += sums[i].rho;
+    const double inv_n = 1.0 / n;
+    return Piece{t * inv_n, rho * inv_n, n >= min_pixels};
+  };
+  const DepthTolerance sigma{noise, 1.0};
   for (int k = 0; k < set.count(); k += 2) {
     const LineSums* sums = set.sums.data() + set.indexOf(k, 0);
-    for (int i = 0; i + 3 * windows <= set.windows; i += windows) {
-      const LineSums a = sum(sums + i), b = sum(sums + i + windows), c = sum(sums + i + 2 * windows);
-      if (!(std::min({a.n, b.n, c.n}) >= kMinFilled * windows * set.window)) continue;
-      const double ta = a.t / a.n, tb = b.t / b.n, tc = c.t / c.n;
-      const double between = (tb - ta) / (tc - ta), rho = b.rho / b.n;
-      const double error = rho - (1.0 - between) * a.rho / a.n - between * c.rho / c.n;
-      const double sigma = noise.sigma(1.0 / rho) * rho * rho;
-      deviations_.push_back(static_cast<float>(error * error / (sigma * sigma)));
+    Piece a, b;
+    for (int i = 0; i + windows <= set.windows; i += windows) {
+      const Piece c = pieceAt(sums + i);
+      if (a.is_filled && b.is_filled && c.is_filled) {
+        const double between = (b.t - a.t) / (c.t - a.t);
+        const double error = b.rho - a.rho - between * (c.rho - a.rho), expected = sigma.along(b.rho);
+        deviations_.push_back(static_cast<float>(error * error / (expected * expected)));
+      }
+      a = b;
+      b = c;
     }
   }
 }

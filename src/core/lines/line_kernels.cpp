@@ -10,7 +10,7 @@ namespace line_plane_segmentation {
 namespace {
 
 // Vectors by name: the compiler does not vectorise a loop whose sums stay in registers across an inner loop.
-constexpr int kBlock = 8;
+constexpr int kBlock = 4;  // doubles of AVX2: GCC passes longer vectors through memory
 using Floats = float __attribute__((vector_size(kBlock * sizeof(float))));
 using Doubles = double __attribute__((vector_size(kBlock * sizeof(double))));
 

@@ -42,8 +42,10 @@ bool fitWithin(const DepthTolerance& tolerance, double max_flatness, CrossingCan
   candidate.x = m.x * inv;
   candidate.y = m.y * inv;
   candidate.rho = m.rho * inv;
-  candidate.inv_tolerance = 1.0 / tolerance.at(candidate.rho, candidate.plane.inverseDistance());
-  const double weight = candidate.inv_tolerance * candidate.inv_tolerance;
+  const InverseDepthPlane& p = candidate.plane;
+  const double inverse_distance2 = p.a * p.a + p.b * p.b + p.c * p.c;
+  const double weight = 1.0 / tolerance.squaredAt(candidate.rho, inverse_distance2);
+  candidate.inv_tolerance = std::sqrt(weight);
   candidate.squared_error *= weight;
   if (!(candidate.squared_error < max_flatness * m.pixels)) return false;
   m.scale(weight);

@@ -29,6 +29,14 @@ constexpr double kTwoPlanes = 2.0;
 constexpr std::size_t kEnoughPoints = 128;  // of a quadric: so many are sampled of more
 constexpr double kVarianceFloor = 0.05;     // [tolerance²] deviations below it do not count
 
+RegressionMoments momentsOfMean(const CrossingCandidate& candidate) {
+  const double x = candidate.x, y = candidate.y, rho = candidate.rho;
+  const double weight = candidate.inv_tolerance * candidate.inv_tolerance;
+  RegressionMoments moments{x * x, x * y, y * y, x, y, 1.0, x * rho, y * rho, rho, rho * rho, 1.0};
+  moments.scale(weight);
+  return moments;
+}
+
 double squaredError(const RegressionMoments& means) {
   InverseDepthPlane plane;
   double squared_error = 0.0;
@@ -51,15 +59,11 @@ void MergeTree::start(const CandidateGrid& grid, const DepthTolerance& step_tole
     resizeAnew(2 * candidates.size(), parent_);
   }
   next_.assign(candidates.size(), -1);
+  means_.clear();
   for (int i = 0; i < leaves_; ++i) {
-    const CrossingCandidate& candidate = candidates[i];
-    const double x = candidate.x, y = candidate.y, rho = candidate.rho;
-    const double g = candidate.inv_tolerance * candidate.inv_tolerance;
     Node& node = nodes_[i];
-    static_cast<FittedPixels&>(node) = candidate;
-    node.means = {g * x * x,   g * x * y,   g * y * y, g * x,         g * y, g,
-                  g * x * rho, g * y * rho, g * rho,   g * rho * rho, 1.0};
-    node.left = node.right = -1;
+    static_cast<FittedPixels&>(node) = candidates[i];
+    node.left = node.right = node.means = -1;
     node.candidates = 1;
     node.first = node.last = parent_[i] = i;
   }
@@ -86,21 +90,36 @@ int MergeTree::merge(int a, int b, const FittedPixels& both) {
   const Node &first = node(a), &second = node(b);
   Node& node = nodes_[merged];
   if (&both != &node) static_cast<FittedPixels&>(node) = both;
-  node.means = first.means + second.means;
   node.candidates = first.candidates + second.candidates;
+  node.means = -1;
   node.left = a;
   node.right = b;
   node.first = first.first;
   node.last = second.last;
   next_[first.last] = second.first;
   parent_[a] = parent_[b] = parent_[merged] = merged;
+  if (node.candidates >= kMinCompared) {
+    node.means = static_cast<int>(means_.size());
+    reserveSparingly(means_.size() + 1, means_);
+    means_.push_back(means(a) + means(b));
+  }
   return merged;
 }
 
-double MergeTree::variance(int i) const { return varianceOf(node(i).means, node(i).candidates); }
+RegressionMoments MergeTree::means(int i) const {
+  const Node& n = node(i);
+  if (n.means >= 0) return means_[n.means];
+  RegressionMoments sum;
+  for (int k = n.first;; k = next_[k]) {
+    sum += momentsOfMean(grid_->candidates[k]);
+    if (k == n.last) return sum;
+  }
+}
+
+double MergeTree::variance(int i) const { return varianceOf(means(i), node(i).candidates); }
 
 double MergeTree::varianceOfBoth(int a, int b) const {
-  return varianceOf(node(a).means + node(b).means, node(a).candidates + node(b).candidates);
+  return varianceOf(means(a) + means(b), node(a).candidates + node(b).candidates);
 }
 
 void MergeTree::appendCandidates(int i) {
@@ -178,8 +197,9 @@ bool MergeTree::isTwoPlanes(int a, int b, const FittedPixels& both) {
   const int fewer = std::min(first.candidates, second.candidates);
   const int degrees_of_freedom = first.candidates + second.candidates - 6;
   if (fewer < kMinCompared) return false;
-  const double common = squaredError(first.means + second.means);
-  const double apart = squaredError(first.means) + squaredError(second.means);
+  const RegressionMoments first_means = means(a), second_means = means(b);
+  const double common = squaredError(first_means + second_means);
+  const double apart = squaredError(first_means) + squaredError(second_means);
   const double bound = kTwoPlanes * (apart / degrees_of_freedom + kVarianceFloor) * fewer;
   if (common - apart < bound) return false;
   // Distortion bends planes smoothly, as a quadric does. But a quadric may explain a step as well.
@@ -190,9 +210,10 @@ bool MergeTree::isPieceOfCurved(int piece, int rest) {
   const Node &first = node(piece), &second = node(rest);
   if (second.candidates < std::max(kMinCompared, first.candidates)) return false;
   const int candidates = first.candidates + second.candidates;
-  const double about_plane = squaredError(first.means + second.means);
+  const RegressionMoments piece_means = means(piece);
+  const double about_plane = squaredError(piece_means + means(rest));
   const double about_quadric = quadricVarianceOfBoth(piece, rest, second.plane) * (candidates - 6);
-  const double apart = squaredError(first.means) + quadricVariance(rest) * (second.candidates - 6);
+  const double apart = squaredError(piece_means) + quadricVariance(rest) * (second.candidates - 6);
   const double bound = (apart / candidates + kVarianceFloor) * first.candidates;
   return about_quadric - apart < bound && about_quadric < kMaxResidualRatio * about_plane;
 }

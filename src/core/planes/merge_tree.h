@@ -26,12 +26,10 @@ class MergeTree {
  public:
   /// A cluster. Leaves come first, in the order of the candidates.
   struct Node : FittedPixels {
-    /// Of the candidates' mean points, each weighed by 1 / tolerance²: averaging over a candidate's pixels
-    /// shows deviations that the noise of single pixels hides.
-    RegressionMoments means;
     int left = -1, right = -1;  ///< the clusters merged into this one, -1 for leaves
     int first = -1, last = -1;  ///< ends of its candidates' list
     int candidates = 0;
+    int means = -1;  ///< where they are stored, see MergeTree::means(); -1 if they are not
   };
 
   /// Starts with one cluster for each candidate. The grid is read until the next start.
@@ -73,6 +71,11 @@ class MergeTree {
   /// candidates.
   bool isTwoPlanes(int a, int b, const FittedPixels& both);
 
+  /// Moments of the candidates' mean points, each weighed by 1 / tolerance²: averaging over a candidate's
+  /// pixels shows deviations that the noise of single pixels hides. Stored for clusters that can be compared,
+  /// of at least 8 candidates, and summed anew for smaller ones.
+  RegressionMoments means(int i) const;
+
   /// Variance of the candidates' mean points about their common plane [tolerance²]; 0 if there are fewer
   /// than 4, or they are degenerate.
   double variance(int i) const;
@@ -112,6 +115,7 @@ class MergeTree {
   DepthTolerance step_tolerance_;
   std::vector<Node> nodes_;  // room for all merges; the next one is tried behind the last node
   std::vector<int> parent_;
+  std::vector<RegressionMoments> means_;
   int size_ = 0, leaves_ = 0;
   std::vector<CandidateGrid::Link> links_;  // between candidates that may still be merged
   std::vector<Comparison> comparisons_;     // the last ones, by a hash of the roots

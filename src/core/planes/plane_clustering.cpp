@@ -185,7 +185,8 @@ void PlaneClusterer::addCluster(int i, bool is_plane, const CandidateGrid& grid,
     cluster_at[cell] = static_cast<int>(clusters.size());
   }
   const MergeTree::Node& node = tree_.node(i);
-  clusters.push_back({node, node.candidates, node.means, is_plane, is_plane && isNarrow(candidates, grid)});
+  clusters.push_back(
+      {node, node.candidates, tree_.means(i), is_plane, is_plane && isNarrow(candidates, grid)});
 }
 
 }  // namespace line_plane_segmentation

@@ -12,7 +12,7 @@ namespace line_plane_segmentation {
 /// Candidates that grew together.
 struct PlaneCluster : FittedPixels {
   int candidates = 0;
-  RegressionMoments means;  ///< of the candidates' mean points, see MergeTree::Node
+  RegressionMoments means;  ///< of the candidates' mean points, see MergeTree::means()
   bool is_plane = true;     ///< false for a curved or rough surface
   bool is_narrow = false;   ///< too few candidates to constrain the tilt: fit the plane to all of its pixels
 };
