@@ -142,8 +142,8 @@ struct ClusterParameters {
   /// [-] Largest mean squared deviation of a small plane towards a quadric surface, in squared
   /// tolerances. Increase to accept parts of smooth curved surfaces; decrease to reject them.
   double max_bend = 0.1;
-  /// [-] Smallest number of patches of a plane. Increase to keep large planes only; decrease to
-  /// find smaller planes.
+  /// [-] Smallest number of patches of a plane, counted after coplanar parts are merged; 1 acts like
+  /// 2. Increase to keep large planes only; decrease to find smaller planes.
   int min_patches = 3;
 };
 

@@ -103,6 +103,7 @@ void CrossingDetector::detect(const ViewRays& rays, const ScanlineSet& rows, con
   grid.columns = columns.count();
   grid.rows = rows.count();
   grid.candidates.clear();
+  grid.candidates.reserve(static_cast<std::size_t>(grid.crossings()));
   grid.links.clear();
   grid.candidate_at.assign(static_cast<std::size_t>(grid.crossings()), -1);
   const DepthTolerance tolerance{parameters.noise, parameters.patches.patch_noise_factor,

@@ -63,7 +63,7 @@ void MergeTree::start(const CandidateGrid& grid, const DepthTolerance& step_tole
   for (int i = 0; i < leaves_; ++i) {
     Node& node = nodes_[i];
     static_cast<FittedPixels&>(node) = candidates[i];
-    node.left = node.right = node.means = -1;
+    node.left = node.right = node.means_index = -1;
     node.candidates = 1;
     node.first = node.last = parent_[i] = i;
   }
@@ -91,7 +91,7 @@ int MergeTree::merge(int a, int b, const FittedPixels& both) {
   Node& node = nodes_[merged];
   if (&both != &node) static_cast<FittedPixels&>(node) = both;
   node.candidates = first.candidates + second.candidates;
-  node.means = -1;
+  node.means_index = -1;
   node.left = a;
   node.right = b;
   node.first = first.first;
@@ -99,7 +99,7 @@ int MergeTree::merge(int a, int b, const FittedPixels& both) {
   next_[first.last] = second.first;
   parent_[a] = parent_[b] = parent_[merged] = merged;
   if (node.candidates >= kMinCompared) {
-    node.means = static_cast<int>(means_.size());
+    node.means_index = static_cast<int>(means_.size());
     reserveSparingly(means_.size() + 1, means_);
     means_.push_back(means(a) + means(b));
   }
@@ -108,7 +108,7 @@ int MergeTree::merge(int a, int b, const FittedPixels& both) {
 
 RegressionMoments MergeTree::means(int i) const {
   const Node& n = node(i);
-  if (n.means >= 0) return means_[n.means];
+  if (n.means_index >= 0) return means_[n.means_index];
   RegressionMoments sum;
   for (int k = n.first;; k = next_[k]) {
     sum += momentsOfMean(grid_->candidates[k]);

@@ -29,7 +29,7 @@ class MergeTree {
     int left = -1, right = -1;  ///< the clusters merged into this one, -1 for leaves
     int first = -1, last = -1;  ///< ends of its candidates' list
     int candidates = 0;
-    int means = -1;  ///< where they are stored, see MergeTree::means(); -1 if they are not
+    int means_index = -1;  ///< see MergeTree::means(); -1 if they are not stored
   };
 
   /// Starts with one cluster for each candidate. The grid is read until the next start.
