@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "kernels/sparing_growth.h"
+
 namespace line_plane_segmentation {
 namespace {
 
@@ -103,7 +105,6 @@ void CrossingDetector::detect(const ViewRays& rays, const ScanlineSet& rows, con
   grid.columns = columns.count();
   grid.rows = rows.count();
   grid.candidates.clear();
-  grid.candidates.reserve(static_cast<std::size_t>(grid.crossings()));
   grid.links.clear();
   grid.candidate_at.assign(static_cast<std::size_t>(grid.crossings()), -1);
   const DepthTolerance tolerance{parameters.noise, parameters.patches.patch_noise_factor,
@@ -123,6 +124,7 @@ void CrossingDetector::detect(const ViewRays& rays, const ScanlineSet& rows, con
         continue;
       candidate.cell = grid.indexOf(c, r);
       const int index = static_cast<int>(grid.candidates.size());
+      reserveSparingly(grid.candidates.size() + 1, grid.candidates);
       grid.candidates.push_back(candidate);
       grid.candidate_at[candidate.cell] = index;
       if (before >= 0 && left_segment == row_segment) grid.links.push_back({before, index});
