@@ -4,8 +4,7 @@
 namespace line_plane_segmentation {
 namespace {
 
-// Queue sizes for slow connections: several small messages, but only the newest large one.
-constexpr unsigned kSmallMessages = 10;
+// Queue size for slow connections: only the newest large message.
 constexpr unsigned kLargeMessages = 2;
 
 bool hasSubscribers(const ros::Publisher& publisher) { return publisher.getNumSubscribers() > 0; }
@@ -18,11 +17,12 @@ void publishIfSubscribed(const ros::Publisher& publisher, const SegmentedFrame& 
 
 }  // namespace
 
-Outputs::Outputs(ros::NodeHandle private_nh, const std::function<void()>& subscribers_changed) {
+Outputs::Outputs(ros::NodeHandle private_nh, unsigned queue_size,
+                 const std::function<void()>& subscribers_changed) {
   const ros::SubscriberStatusCallback changed = [subscribers_changed](const ros::SingleSubscriberPublisher&) {
     subscribers_changed();
   };
-  planes_ = private_nh.advertise<PlaneArray>("planes", kSmallMessages, changed, changed);
+  planes_ = private_nh.advertise<PlaneArray>("planes", queue_size, changed, changed);
   labels_ = private_nh.advertise<sensor_msgs::Image>("labels", kLargeMessages, changed, changed);
   cloud_ = private_nh.advertise<sensor_msgs::PointCloud2>("cloud", kLargeMessages, changed, changed);
   overlay_ = private_nh.advertise<sensor_msgs::Image>("overlay", kLargeMessages, changed, changed);
@@ -32,9 +32,8 @@ Outputs::Outputs(ros::NodeHandle private_nh, const std::function<void()>& subscr
       private_nh.advertise<visualization_msgs::MarkerArray>("scanlines", kLargeMessages, changed, changed);
   cloud_without_planes_ = private_nh.advertise<sensor_msgs::PointCloud2>("cloud_without_planes",
                                                                          kLargeMessages, changed, changed);
-  objects_ = private_nh.advertise<SupportedObjectArray>("objects", kSmallMessages, changed, changed);
-  tracked_planes_ =
-      private_nh.advertise<TrackedPlaneArray>("tracked_planes", kSmallMessages, changed, changed);
+  objects_ = private_nh.advertise<SupportedObjectArray>("objects", queue_size, changed, changed);
+  tracked_planes_ = private_nh.advertise<TrackedPlaneArray>("tracked_planes", queue_size, changed, changed);
 }
 
 bool Outputs::subscribed() const {

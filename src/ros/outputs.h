@@ -20,9 +20,10 @@ namespace line_plane_segmentation {
 class Outputs {
  public:
   /// Advertises all topics.
+  /// @param queue_size  of small messages: all images that wait for a camera_info can be processed at once
   /// @param subscribers_changed  called on the node handle's queue when a subscriber connects or
   ///         disconnects, possibly before this constructor returns
-  Outputs(ros::NodeHandle private_nh, const std::function<void()>& subscribers_changed);
+  Outputs(ros::NodeHandle private_nh, unsigned queue_size, const std::function<void()>& subscribers_changed);
 
   /// Returns true if any output has a subscriber.
   bool subscribed() const;

@@ -61,8 +61,9 @@ void PlaneSegmenterNodelet::start() {
   parameters_.preset = expandPreset(private_nh);
   const StartParameters start = readStartParameters(private_nh);
 
-  outputs_ = std::make_unique<Outputs>(
-      private_nh, [this] { logExceptions(getName(), [this] { updateSubscription(); }); });
+  outputs_ = std::make_unique<Outputs>(private_nh, static_cast<unsigned>(start.queue_size), [this] {
+    logExceptions(getName(), [this] { updateSubscription(); });
+  });
   transforms_ = std::make_unique<TransformListener>(nh);
   processor_ = std::make_unique<FrameProcessor>(
       getName(), start.limits, static_cast<std::size_t>(start.queue_size), *outputs_, *transforms_);

@@ -15,7 +15,7 @@ namespace line_plane_segmentation {
 /// Parameters that are read once, when the nodelet starts.
 struct StartParameters {
   bool clouds = false;  ///< subscribe to a point cloud instead of images
-  int queue_size = 10;  ///< largest number of waiting messages
+  int queue_size = 10;  ///< largest number of waiting messages, in and out
   InfoMatching info_matching = InfoMatching::kAuto;
   RectificationMode rectify = RectificationMode::kAuto;
   InputLimits limits;
