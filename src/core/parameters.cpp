@@ -111,8 +111,9 @@ Parameters resolve(const Parameters& parameters, int width) {
   const int w = std::max(width, 1);
   if (p.method == Method::kAdaptive) {
     setIfZero(p.scanlines.scanline_spacing, std::max(4, fromWidth(10, 12, 1.0, w)));
-    setIfZero(p.lines.line_window, std::max(3, p.scanlines.scanline_spacing / 2));
-    setIfZero(p.lines.min_line_points, std::max(2, p.lines.line_window / 2));
+    setIfZero(p.lines.line_window,
+              std::max(3, std::min(fromWidth(4, 5, 1.0, w), p.scanlines.scanline_spacing / 2)));
+    setIfZero(p.lines.min_line_points, std::max(2, p.lines.line_window - 1));
     setIfZero(p.extraction.min_plane_inliers, fromWidth(525, 2100, 2.0, w));
   }
   setIfZero(p.cleanup.min_region_pixels, fromWidth(100, 400, 2.0, w));

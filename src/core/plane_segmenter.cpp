@@ -80,8 +80,9 @@ void PlaneSegmenter::Stages::load(const DepthView& view, const CameraIntrinsics&
                          static_cast<float>(parameters.scanlines.max_range)};
   result.valid_pixels = loadDepth(view, range, frame.depth);
   frame.rays.compute(camera, view.width, view.height);
+  frame.kinect_width = widthOfSamePixels(camera, frame.depth);
   const bool is_paper = parameters.method == Method::kPaper;
-  frame.parameters = resolve(parameters, is_paper ? view.width : widthOfSamePixels(camera, frame.depth));
+  frame.parameters = resolve(parameters, is_paper ? view.width : frame.kinect_width);
   is_perforated = !is_paper && hole_filler.fill(frame.parameters, frame.depth);
 }
 

@@ -21,11 +21,13 @@ struct Adaptation {
   double noise, distortion;
 };
 
-/// @param noise_factor  noise of the image, as a multiple of the model
-/// @param wave          [m] height of waves, 256 pixels from crest to crest
-Adaptation adaptationTo(double noise_factor, double wave) {
+/// @param noise_factor      noise of the image, as a multiple of the model
+/// @param wave              [m] height of waves, 256 pixels from crest to crest
+/// @param scanline_spacing  [px] 0 for the default
+Adaptation adaptationTo(double noise_factor, double wave, int scanline_spacing = 0) {
   Frame frame;
   frame.camera = kCamera;
+  frame.kinect_width = kWidth;
   frame.depth = render(surfaceAt(2.0), kCamera, kWidth, kHeight);
   frame.rays = raysOf(kCamera, kWidth, kHeight);
   const double phase = 2.0 * M_PI / 256.0;
@@ -35,7 +37,9 @@ Adaptation adaptationTo(double noise_factor, double wave) {
   }
   Random random(5);
   addNoise({}, noise_factor, random, frame.depth);
-  const Parameters before = adaptiveParameters(kWidth);
+  Parameters given;
+  given.scanlines.scanline_spacing = scanline_spacing;
+  const Parameters before = resolve(given, kWidth);
   frame.parameters = before;
   AdaptiveMethod().extractLines(frame);
   const Parameters& after = frame.parameters;
@@ -58,6 +62,15 @@ TEST(AdaptiveMethod, MultipliesTheTolerancesByOneToTwo) {
   EXPECT_EQ(adaptationTo(0.5, 0.0).distortion, 1.0);
   EXPECT_EQ(adaptationTo(0.5, 0.04).distortion, 2.0) << "three to four times the noise";
   EXPECT_EQ(adaptationTo(0.5, 0.1).distortion, 1.0) << "more than five times";
+}
+
+// Finer scanlines have shorter windows, over which the same distortion would look smaller.
+TEST(AdaptiveMethod, MeasuresTheSameDistortionOnFinerScanlines) {
+  const double distortion = adaptationTo(0.5, 0.02).distortion;
+  EXPECT_GT(distortion, 1.2);
+  EXPECT_LT(distortion, 1.9);
+  for (const int spacing : {7, 8, 10, 16})
+    EXPECT_NEAR(adaptationTo(0.5, 0.02, spacing).distortion / distortion, 1.0, 0.15) << spacing;
 }
 
 }  // namespace

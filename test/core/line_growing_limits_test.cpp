@@ -174,10 +174,12 @@ TEST(NoiseMeter, MeasuresOneForAKinectsNoise) {
   EXPECT_NEAR(NoiseMeter().ratio(noisyPieces(8000, 2), Scan(kWindow), {}), 1.0, 0.05);
 }
 
-TEST(NoiseMeter, MeasuresDistortionOverThreeScanlineSpacings) {
-  // 30 pixels are six windows. No piece is shorter than two windows.
-  EXPECT_NEAR(NoiseMeter().distortionRatio(noisyPieces(8000, 6), Scan(kWindow), {}, 10), 1.0, 0.05);
-  EXPECT_NEAR(NoiseMeter().distortionRatio(noisyPieces(8000, 2), Scan(kWindow), {}, 3), 1.0, 0.05);
+TEST(NoiseMeter, MeasuresDistortionInPiecesOfTheGivenLength) {
+  // To the nearest window, at least two windows.
+  for (const double length : {5.6, 6.4})
+    EXPECT_NEAR(NoiseMeter().distortionRatio(noisyPieces(8000, 6), Scan(kWindow), {}, length * kWindow), 1.0,
+                0.05);
+  EXPECT_NEAR(NoiseMeter().distortionRatio(noisyPieces(8000, 2), Scan(kWindow), {}, kWindow), 1.0, 0.05);
 }
 
 /// The measured noise of pieces of two windows that have `valid_pixels` each.

@@ -73,10 +73,25 @@ TEST(LineGrower, SplitsAtAStepAndAtACrease) {
   for (const DepthImage& depth :
        {halves(surfaceAt(1.4), surfaceAt(1.5), kCamera, kWidth, kHeight),
         halves(surfaceAt(1.8, 0.4), surfaceAt(1.8, -0.4), kCamera, kWidth, kHeight)}) {
-    const std::vector<GrownSegment> segments = Lines(noisy(depth, 0.5)).ofMiddleRow();
+    const Lines lines(noisy(depth, 0.5));
+    const std::vector<GrownSegment> segments = lines.ofMiddleRow();
     ASSERT_EQ(segments.size(), 2U);
-    EXPECT_NEAR(segments[0].last * 5, 160, 10);
-    EXPECT_NEAR(segments[1].first * 5, 160, 10);
+    EXPECT_NEAR(segments[0].last * lines.rows.window, 160, 10);
+    EXPECT_NEAR(segments[1].first * lines.rows.window, 160, 10);
+  }
+}
+
+// Wherever the step lies in a window: such a window is steep, and steep surfaces have large tolerances.
+TEST(LineGrower, HasNoSegmentAcrossAStep) {
+  const int window = adaptiveParameters(kWidth).lines.line_window;
+  for (int edge = 160; edge < 160 + window; ++edge) {
+    DepthImage depth = render(surfaceAt(2.4), kCamera, kWidth, kHeight);
+    paint(surfaceAt(1.3), kCamera, {edge, kWidth, 0, kHeight}, depth);
+    const Lines lines(depth);
+    const std::vector<GrownSegment> segments = lines.ofMiddleRow();
+    ASSERT_EQ(segments.size(), 2U) << edge;
+    EXPECT_LE((segments[0].last + 1) * lines.rows.window, edge);
+    EXPECT_GE(segments[1].first * lines.rows.window, edge);
   }
 }
 
@@ -165,8 +180,7 @@ TEST(NoiseMeter, GrowsInProportionToTheNoise) {
 
 double distortionOf(const DepthImage& depth) {
   const Lines lines(depth);
-  return NoiseMeter().distortionRatio(lines.rows, lines.columns, NoiseParameters{},
-                                      lines.parameters.scanlines.scanline_spacing);
+  return NoiseMeter().distortionRatio(lines.rows, lines.columns, NoiseParameters{}, 30.0);
 }
 
 TEST(NoiseMeter, SeesDistortionOverSeveralScanlines) {

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <limits>
+#include <utility>
 #include <vector>
 
 #include "line_plane_segmentation/parameters.h"
@@ -149,8 +150,16 @@ TEST(Resolve, GivesTheDefaultsOfTheDefaultMethod) {
     return std::vector<int>{p.scanlines.scanline_spacing, p.lines.line_window, p.lines.min_line_points,
                             p.extraction.min_plane_inliers, p.cleanup.min_region_pixels};
   };
-  EXPECT_EQ(values_at(640), (std::vector<int>{12, 6, 3, 2100, 400}));
-  EXPECT_EQ(values_at(320), (std::vector<int>{10, 5, 2, 525, 100}));
+  EXPECT_EQ(values_at(640), (std::vector<int>{12, 5, 4, 2100, 400}));
+  EXPECT_EQ(values_at(320), (std::vector<int>{10, 4, 3, 525, 100}));
+}
+
+TEST(Resolve, HasWindowsNoLongerThanHalfAGivenSpacing) {
+  Parameters given;
+  for (const auto& [spacing, window] : {std::pair{4, 3}, {8, 4}, {9, 4}, {10, 5}, {30, 5}}) {
+    given.scanlines.scanline_spacing = spacing;
+    EXPECT_EQ(resolve(given, 640).lines.line_window, window) << spacing;
+  }
 }
 
 TEST(Resolve, HasLeastLengthsInTinyImages) {

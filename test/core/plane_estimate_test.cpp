@@ -68,7 +68,7 @@ TEST(EstimatePlane, HasACovarianceOfTheShapeThatRepeatedNoiseGives) {
   // Here pixels share no errors. The factor for those that do is the same in each direction in which a plane
   // can move.
   const double factor = predicted(3, 3) / sampled(3, 3);
-  EXPECT_NEAR(factor, 3.3, 0.2) << "three candidates count as one; the prior adds a tenth";
+  EXPECT_NEAR(factor, 2.9, 0.2) << "2.6 candidates count as one; the prior adds a tenth";
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix4d> solver(predicted);
   for (int i = 1; i < 4; ++i) {
     const Eigen::Vector4d axis = solver.eigenvectors().col(i);
@@ -133,7 +133,7 @@ TEST(EstimateFromPixels, FitsANarrowStripAlongTheRaysAndTrustsFewPixels) {
     EXPECT_NEAR(estimate.d, surface.d, 0.05);
   }
   EXPECT_LT(error, 0.5 * error_of_axes) << "the principal axes follow the noise";
-  EXPECT_NEAR(predicted / error / (kPixels / 12.0), 1.0, 0.25) << "pixels count as twelve independent ones";
+  EXPECT_NEAR(predicted / error / (kPixels / 48.0), 1.0, 0.25) << "pixels count as 48 independent ones";
 }
 
 /// The variance of d of a plane of four pixels that do not lie in it, or of so many times as many.
@@ -150,8 +150,8 @@ double varianceOfFourPixels(int times) {
 
 TEST(EstimateFromPixels, TakesThreeDegreesOfFreedom) {
   EXPECT_NEAR(varianceOfFourPixels(1) / varianceOfFourPixels(2), 8.0 - 3.0, 1e-6);
-  EXPECT_NEAR(varianceOfFourPixels(1) / varianceOfFourPixels(6), (24.0 - 3.0) / 2.0, 1e-6)
-      << "24 pixels count as two, fewer than twelve as one";
+  EXPECT_NEAR(varianceOfFourPixels(1) / varianceOfFourPixels(24), (96.0 - 3.0) / 2.0, 1e-6)
+      << "a pixel of 96 counts as a half, one of fewer than 48 as one";
 }
 
 TEST(EstimateFromPixels, TakesTheFitOfPixelsOnOneRay) {

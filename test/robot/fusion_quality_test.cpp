@@ -21,7 +21,6 @@ namespace line_plane_segmentation {
 namespace {
 
 constexpr int kImages = 10;
-constexpr std::uint64_t kRooms = 10;
 constexpr int kStarts = 3;  // in each room
 constexpr double kMinPurity = 0.98;
 
@@ -61,6 +60,8 @@ struct Track {
 };
 
 struct Setting {
+  std::uint64_t rooms;
+  std::uint32_t min_pixels;  // of the planes that are compared, in the last image
   int width;
   double rate;                       // [Hz]
   double pose_degrees, pose_metres;  // standard deviations of the error of the pose in each image
@@ -117,6 +118,7 @@ void compare(simulation::SimulatedCamera& camera, int start, const Setting& sett
         filter.update(plane, pose, setting.parameters, velocity);
         if (truth[k] != track->second.truth) track->second.truth.reset();
       }
+      if (plane.inliers < setting.min_pixels) continue;
       if (image != kImages - 1 || filter.observations() != kImages || !track->second.truth) continue;
       const simulation::WorldPlane& world = camera.room().scene.planes()[*truth[k] - std::size_t{1}];
       const Eigen::Vector3d normal = pose.linear() * plane.normal;
@@ -129,7 +131,7 @@ void compare(simulation::SimulatedCamera& camera, int start, const Setting& sett
 
 Comparison compareInRooms(const Setting& setting) {
   Comparison comparison;
-  for (std::uint64_t room = 1; room <= kRooms; ++room) {
+  for (std::uint64_t room = 1; room <= setting.rooms; ++room) {
     simulation::SimulatedCamera camera({room, setting.width, setting.width * 3 / 4, true});
     for (int start = 0; start < kStarts; ++start) compare(camera, start, setting, comparison);
   }
@@ -151,25 +153,28 @@ FusionParameters exactPose() {
 TEST(FusionQuality, tenImagesHalveTheErrorOfOne) {
   const FusionParameters defaults;
   const auto [single, fused] =
-      compareInRooms({640, 10.0, defaults.fusion_pose_angle, defaults.fusion_pose_distance, defaults});
+      compareInRooms({10, 0, 640, 10.0, defaults.fusion_pose_angle, defaults.fusion_pose_distance, defaults});
   EXPECT_GT(fused.count, 60);
   EXPECT_LE(fused.degrees(), 0.5 * single.degrees());
   EXPECT_LE(fused.millimetres(), 0.5 * single.millimetres());
 }
 
 // The errors that remain are those of the segmentation. The camera moves by decimetres in these five seconds,
-// so that they are different in each image.
+// so that they are different in each image. The distance has a bound of its own: one relative to the single
+// image would reward inaccurate images. Small planes, few of which are seen in all images, would outweigh the
+// others.
 TEST(FusionQuality, tenImagesHalveTheErrorOfOneWithAnExactPose) {
-  const auto [single, fused] = compareInRooms({320, 2.0, 0.0, 0.0, exactPose()});
-  EXPECT_GT(fused.count, 40);
+  const auto [single, fused] = compareInRooms({40, 4000, 320, 2.0, 0.0, 0.0, exactPose()});
+  EXPECT_GT(fused.count, 200);
   EXPECT_LE(fused.degrees(), 0.5 * single.degrees());
-  EXPECT_LE(fused.millimetres(), 0.5 * single.millimetres());
+  EXPECT_LE(fused.millimetres(), 0.3);
+  EXPECT_LE(single.millimetres(), 0.65);
 }
 
 // Within a second the viewpoint hardly changes. Pixels at the border of a plane that belong to its
 // neighbour then are the same in each image, and the error that they cause remains.
 TEST(FusionQuality, imagesOfOneViewpointShareErrors) {
-  const auto [single, fused] = compareInRooms({640, 10.0, 0.0, 0.0, exactPose()});
+  const auto [single, fused] = compareInRooms({10, 0, 640, 10.0, 0.0, 0.0, exactPose()});
   EXPECT_GT(fused.count, 60);
   EXPECT_LT(fused.degrees(), single.degrees());
   EXPECT_LT(fused.millimetres(), single.millimetres());

@@ -18,6 +18,14 @@ constexpr double kMostAlike = 1.0 / 8;  // fraction of that bound for the first 
 
 constexpr int kMaxHole = 3;  // [windows] a segment continues after a hole one window shorter
 
+// Whether a window that no neighbour continues has depths of two surfaces. Its line is then steep, and the
+// tolerance along the ray would grow with that: it is that of a surface that faces the camera.
+bool isEdge(const LineSums& window, double squared_error, double max_flatness,
+            const DepthTolerance& tolerance) {
+  const double rho = window.rho / window.n;
+  return squared_error > max_flatness * tolerance.squaredAt(rho, rho * rho) * window.n;
+}
+
 }  // namespace
 
 // Adds a window of a scanline, or merges it with the last segment if they are most alike.
@@ -80,10 +88,10 @@ void LineGrower::grow(const std::vector<float>& orthogonal_ray, const Parameters
     mergeNeighbors();
     for (int i = 0; i < count_; ++i) {
       const Node& node = nodes_[i];
-      const bool is_edge =  // a window with depths of two surfaces, which no neighbour continues
-          node.first == node.last &&
-          node.squared_error > parameters.patches.patch_flatness * node.tolerance2 * node.sums.n;
-      if (is_edge || node.sums.n < parameters.lines.min_line_points) continue;
+      if (node.sums.n < parameters.lines.min_line_points) continue;
+      if (node.first == node.last &&
+          isEdge(node.sums, node.squared_error, parameters.patches.patch_flatness, tolerance))
+        continue;
       const auto at = set.segment_of.begin() + static_cast<std::ptrdiff_t>(set.indexOf(k, 0));
       std::fill(at + node.first, at + node.last + 1, static_cast<int>(set.segments.size()));
       set.segments.push_back({k, node.first, node.last, node.sums, node.squared_error, node.tolerance2});
@@ -142,9 +150,8 @@ double NoiseMeter::ratio(const ScanlineSet& rows, const ScanlineSet& columns, co
 }
 
 double NoiseMeter::distortionRatio(const ScanlineSet& rows, const ScanlineSet& columns,
-                                   const NoiseParameters& noise, int spacing) {
-  constexpr int kSpacings = 3;
-  const int windows = std::max(2, kSpacings * spacing / std::max(1, rows.window));
+                                   const NoiseParameters& noise, double length) {
+  const int windows = std::max(2, static_cast<int>(std::lround(length / std::max(1, rows.window))));
   return ratioOver(rows, columns, noise, windows, 0.25, 0.1015);
 }
 

@@ -50,12 +50,12 @@ class NoiseMeter {
   /// two windows in both sets. Returns 1 if there are fewer than 20 such pieces.
   double ratio(const ScanlineSet& rows, const ScanlineSet& columns, const NoiseParameters& noise);
 
-  /// The same from pieces three scanline spacings long. Over that length the noise of single pixels averages
-  /// out, while sensor distortion, which bends planes, does not. The lower quartile is used, because surfaces
-  /// that end or are curved increase the distances.
-  /// @param spacing  [px] between scanlines
+  /// The same from longer pieces, of at least two windows. Over their length the noise of single pixels
+  /// averages out, while sensor distortion, which bends planes, does not. The lower quartile is used, because
+  /// surfaces that end or are curved increase the distances.
+  /// @param length  [px] of a piece
   double distortionRatio(const ScanlineSet& rows, const ScanlineSet& columns, const NoiseParameters& noise,
-                         int spacing);
+                         double length);
 
  private:
   double ratioOver(const ScanlineSet& rows, const ScanlineSet& columns, const NoiseParameters& noise,

@@ -15,6 +15,10 @@ constexpr double kMinNoiseRatio = 1.0, kMaxNoiseRatio = 4.0;
 // to 1.
 constexpr double kMaxDistortion = 2.0, kClutter = 6.0;
 
+// Length of the pieces from which distortion is measured, as a fraction of the width of a Kinect's image: the
+// same part of the view whatever the scanlines are.
+constexpr double kDistortionLength = 1.0 / 16;
+
 }  // namespace
 
 void AdaptiveMethod::extractLines(Frame& frame) {
@@ -27,9 +31,9 @@ void AdaptiveMethod::extractLines(Frame& frame) {
                   : p.noise.scale;
   p.noise.floor *= scale;
   p.noise.growth *= scale;
-  const double ratio =
-      is_measured ? noise_meter_.distortionRatio(rows_, columns_, p.noise, p.scanlines.scanline_spacing)
-                  : 1.0;
+  const double ratio = is_measured ? noise_meter_.distortionRatio(rows_, columns_, p.noise,
+                                                                  kDistortionLength * frame.kinect_width)
+                                   : 1.0;
   distortion_ = std::clamp(std::min(ratio, kClutter - ratio), 1.0, kMaxDistortion);
   // Candidates deviate from their plane by the distortion. The pixels of a small plane have to lie in it as
   // before: their bound is in units of the noise.

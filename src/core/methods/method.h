@@ -19,7 +19,8 @@ struct Frame {
   DepthImage depth;
   ViewRays rays;
   CameraIntrinsics camera;
-  Parameters parameters;  ///< resolved for the image
+  int kinect_width = 0;   ///< [px] of a Kinect's image whose pixels see the same angle: lengths follow it
+  Parameters parameters;  ///< resolved for that width, by the paper's method for the image's own
 };
 
 /// The result of the stage "extraction".

@@ -10,11 +10,11 @@ namespace line_plane_segmentation {
 namespace {
 
 // Pixels of a narrow surface that count as independent.
-constexpr double kIndependentPixels = 12.0;
+constexpr double kIndependentPixels = 48.0;
 
 // A candidate's pixels share their errors, and so do neighbouring candidates: so many count as one. In
-// simulated frames 96 % of the normalised errors are then within their 95 % bound.
-constexpr double kSharedCandidates = 3.0;
+// simulated frames 94 % of the normalised errors are then within their 95 % bound.
+constexpr double kSharedCandidates = 2.6;
 
 // The variance of few candidates is uncertain: it counts beside that of the pixels, which has the weight of
 // so many candidates.
