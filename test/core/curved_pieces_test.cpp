@@ -160,13 +160,12 @@ TEST(PieceOfCurved, BelongsToARestOfEightCandidatesAndAsLargeAsItself) {
 
 constexpr int kColumns = 5;  // of each of two equal pieces
 
-/// The number of planes, and of clusters, that are found in two equal pieces.
+/// The number of planes, and of clusters, that are found in two pieces, of which the first one has kColumns.
 /// @param links  between the pieces
-std::pair<int, int> countPlanesAndClusters(const CurvedSurface& surface, int links, double merge_cost,
+std::pair<int, int> countPlanesAndClusters(MadeCandidates made, int links, double merge_cost,
                                            double max_bend) {
-  MadeCandidates made = surface.candidates();
   made.linkColumns(0, kColumns);
-  made.linkColumns(kColumns, 2 * kColumns);
+  made.linkColumns(kColumns, made.columns);
   for (int row = 0; row < links; ++row) made.link(kColumns - 1, row, kColumns, row);
   Parameters parameters = adaptiveParameters(320);
   parameters.clusters.merge_cost = merge_cost;
@@ -186,7 +185,7 @@ std::pair<int, int> countPlanesAndClusters(const CurvedSurface& surface, int lin
 int countPlanes(int rows, int links, double max_bend) {
   constexpr double kMergeCost = 10.0;  // enough within a piece, not for both
   const CurvedSurface surface{kColumns, kColumns, rows, 1.0, 0.0, 0.0};
-  const auto [planes, clusters] = countPlanesAndClusters(surface, links, kMergeCost, max_bend);
+  const auto [planes, clusters] = countPlanesAndClusters(surface.candidates(), links, kMergeCost, max_bend);
   EXPECT_EQ(clusters, 2);
   return planes;
 }
@@ -200,11 +199,31 @@ TEST(DroppedPieces, MayHaveFewerThan16Candidates) { EXPECT_EQ(countPlanes(3, 3, 
 
 TEST(DroppedPieces, LeaveOnePlaneIfBothAreBentLittle) { EXPECT_EQ(countPlanes(6, 3, 100.0), 1); }
 
+/// The number of planes in a flat strip beside a curved surface that is none, from which a step separates it.
+int countStrips(int columns, int links) {
+  constexpr double kMergeCost = 100.0, kMaxBend = 1.0;
+  constexpr int kRows = 6;
+  MadeCandidates made(kColumns + columns, kRows);
+  for (int row = 0; row < kRows; ++row) {
+    for (int column = 0; column < made.columns; ++column)
+      made.add(column, row, 1000.0 + (column < kColumns ? column * column : 100.0));
+  }
+  const auto [planes, clusters] = countPlanesAndClusters(made, links, kMergeCost, kMaxBend);
+  EXPECT_EQ(clusters, 2);
+  return planes;
+}
+
+TEST(Strip, BesideACurvedSurfaceIsPartOfItIfNarrowerThanTwoCandidates) {
+  EXPECT_EQ(countStrips(1, 3), 0);
+  EXPECT_EQ(countStrips(1, 2), 1) << "two links are chance";
+  EXPECT_EQ(countStrips(2, 3), 1);
+}
+
 // The surface leaves a variance of 5, a plane in each piece 8.
 TEST(CurvedCluster, IsNotSplitIntoPlanesThatExplainItLess) {
   constexpr double kMergeCost = 1000.0;  // enough for both pieces
   const CurvedSurface surface{kColumns, kColumns, 6, 1.0, 5.0, 0.0};
-  EXPECT_EQ(countPlanesAndClusters(surface, 6, kMergeCost, 5.0), std::pair(0, 1));
+  EXPECT_EQ(countPlanesAndClusters(surface.candidates(), 6, kMergeCost, 5.0), std::pair(0, 1));
 }
 
 }  // namespace

@@ -17,16 +17,21 @@ constexpr double kDistortedFraction = 0.045;
 
 // A plane with fewer candidates than this across it, on average, is narrow: most of their windows end at its
 // borders.
-constexpr int kMinScanlines = 3;
+constexpr double kMinScanlines = 3.0;
 
 // Links between a piece of a curved surface and the rest: fewer are where two surfaces touch by chance.
 constexpr std::size_t kMinLinks = 3;
 
-// So few candidates leave most of a plane's pixels out.
-constexpr int kFewCandidates = 28;
+// A narrower plane beside a surface that is none is part of it: at the silhouette of a pillar, one column of
+// candidates is nearly flat.
+constexpr double kStrip = 2.0;
 
-// Whether a plane has few candidates, or few across its longer side.
-bool isNarrow(const std::vector<int>& candidates, const CandidateGrid& grid) {
+// So few candidates leave most of a plane's pixels out.
+constexpr std::size_t kFewCandidates = 28;
+
+// The number of candidates across the longer side of the rectangle around them, on average. A slanted strip
+// spans many of both sides, but fills little of them.
+double widthOf(const std::vector<int>& candidates, const CandidateGrid& grid) {
   int first_column = grid.columns, last_column = 0, first_row = grid.rows, last_row = 0;
   for (const int i : candidates) {
     const int cell = grid.candidates[i].cell;
@@ -36,10 +41,12 @@ bool isNarrow(const std::vector<int>& candidates, const CandidateGrid& grid) {
     first_row = std::min(first_row, row);
     last_row = std::max(last_row, row);
   }
-  const int columns = last_column - first_column + 1, rows = last_row - first_row + 1;
-  // A slanted strip spans many of both, but fills little of them.
-  return static_cast<int>(candidates.size()) <
-         std::max(kMinScanlines * std::max(columns, rows), kFewCandidates);
+  const int length = std::max(last_column - first_column, last_row - first_row) + 1;
+  return static_cast<double>(candidates.size()) / length;
+}
+
+bool isNarrow(const std::vector<int>& candidates, const CandidateGrid& grid) {
+  return candidates.size() < kFewCandidates || widthOf(candidates, grid) < kMinScanlines;
 }
 
 double allowDistortion(double bound, double fraction) {
@@ -141,6 +148,13 @@ void PlaneClusterer::dropPiecesOfCurved(const CandidateGrid& grid, double fracti
     const int candidates = tree_.node(small).candidates + tree_.node(large).candidates;
     const double max_bend = allowDistortion(parameters.max_bend, candidates * fraction_per_candidate);
     if (tree_.varianceOfBoth(small, large) > max_bend) drop(large);
+  }
+  // Then the strips beside what is left of no plane.
+  for (std::size_t first = 0, last = 0; first < neighbors_.size(); first = last) {
+    while (last < neighbors_.size() && neighbors_[last] == neighbors_[first]) ++last;
+    const auto [small, large] = neighbors_[first];
+    if (last - first < kMinLinks || !is_plane(small) || is_plane(large)) continue;
+    if (widthOf(tree_.candidatesOf(small), grid) < kStrip) drop(small);
   }
 }
 
