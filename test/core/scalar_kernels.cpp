@@ -18,5 +18,6 @@ using namespace ::line_plane_segmentation;  // the types are the same
 #include "depth/hole_kernels.cpp"
 #include "kernels/row_kernels.cpp"
 #include "lines/line_kernels.cpp"
+#include "lines/window_merging.cpp"
 
 }  // namespace scalar_twin

@@ -4,9 +4,10 @@
 #include "depth/hole_kernels.h"
 #include "kernels/row_kernels.h"
 #include "lines/line_kernels.h"
+#include "lines/window_merging.h"
 
-/// The vectorised functions of row_kernels.h, line_kernels.h and hole_kernels.h compiled once more, one pixel
-/// after the other and for the plainest of machines.
+/// The vectorised functions of row_kernels.h, line_kernels.h, window_merging.h and hole_kernels.h compiled
+/// once more, one pixel after the other and for the plainest of machines.
 namespace scalar_twin {
 namespace line_plane_segmentation {
 
@@ -20,6 +21,7 @@ decltype(::line_plane_segmentation::prepareRow) prepareRow;
 decltype(::line_plane_segmentation::assignIfBetter) assignIfBetter;
 decltype(::line_plane_segmentation::addRun) addRun;
 decltype(::line_plane_segmentation::sumWindows) sumWindows;
+decltype(::line_plane_segmentation::mergeWindows) mergeWindows;
 decltype(::line_plane_segmentation::markValidityChanges) markValidityChanges;
 decltype(::line_plane_segmentation::markHoleEnds) markHoleEnds;
 decltype(::line_plane_segmentation::fillSingleHoles) fillSingleHoles;

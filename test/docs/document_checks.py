@@ -31,7 +31,8 @@ def lines(items):
 
 def constants_of_the_core():
     """((file, name), value) of each constant in src/core; those of the kernels are widths and bit masks."""
-    not_of_the_method = {"kPi", "kBlock", "kSeenInByte", "kNoDepthLabel", "kNever", "kFactor"}
+    not_of_the_method = {"kPi", "kBlock", "kSeenInByte", "kNoDepthLabel", "kNever", "kFactor",
+                         "kMergedScanlines", "kBits"}
     expressions = {"2.4 * BorderSimplifier::kInset": "0.3", "std::size_t{1} << 28": "268435456",
                    "std::numeric_limits<std::uint16_t>::max() - 1": "65534"}
     types = "double|float|int|std::size_t|std::int64_t|std::uint32_t|std::ptrdiff_t|std::uint16_t"

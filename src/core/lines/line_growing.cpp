@@ -28,29 +28,36 @@ bool isEdge(const LineSums& window, double squared_error, double max_flatness,
 
 }  // namespace
 
-// Adds a window of a scanline, or merges it with the last segment if they are most alike.
-void LineGrower::addWindow(int window, const LineSums& sums, double inv_k2, const DepthTolerance& tolerance) {
-  const InverseDepthLine line = fitInverseDepthLine(sums);
-  const double inverse_distance2 = line.slope * line.slope + line.offset * line.offset * inv_k2;
-  const double tolerance2 = tolerance.squaredAt(sums.rho * line.inv_n, inverse_distance2);
-  // Stored one by one: a copy of the whole would be loaded before its parts have left the store buffer.
-  Node& node = nodes_[count_];
-  node.first = window;
-  node.last = window;
-  node.sums = sums;
-  node.squared_error = line.squared_error;
-  node.tolerance2 = tolerance2;
-  if (count_ == 0 || !mergeIfAlike(nodes_[count_ - 1], node, kMostAlike)) ++count_;
+// The segments that the first merges made of the windows of a scanline.
+void LineGrower::collect(int lane, int windows) {
+  count_ = 0;
+  const auto end = [this, lane](int window) {
+    const GrowingSegments& grown = grown_[window];
+    const auto at = [lane](const ScanlineLanes& lanes) { return lanes[lane]; };
+    Node& node = nodes_[count_ - 1];
+    node.last = static_cast<int>(at(grown.last));
+    node.sums = {at(grown.n), at(grown.t), at(grown.tt), at(grown.rho), at(grown.t_rho), at(grown.rho_rho)};
+    node.squared_error = at(grown.squared_error);
+    node.tolerance2 = at(grown.tolerance2);
+  };
+  for (std::size_t word = 0; word < starts_.size(); ++word) {
+    for (std::uint64_t bits = starts_[word][lane]; bits != 0; bits &= bits - 1) {
+      const int start = static_cast<int>(64 * word) + __builtin_ctzll(bits);
+      if (count_ > 0) end(start - 1);
+      nodes_[count_++].first = start;
+    }
+  }
+  if (count_ > 0) end(windows - 1);
 }
 
-// Merges a segment with the one before it if that adds less than this fraction of the bound.
-bool LineGrower::mergeIfAlike(Node& before, const Node& node, double fraction) {
+// Merges a segment with the one before it if that adds less than the bound.
+bool LineGrower::mergeIfAlike(Node& before, const Node& node) {
   if (node.first - before.last > kMaxHole) return false;
   const LineSums sums = before.sums + node.sums;
   const InverseDepthLine line = fitInverseDepthLine(sums);
   const double bound =
       (kNoiseError + std::min(before.sums.n, node.sums.n)) * std::min(before.tolerance2, node.tolerance2);
-  if (!(line.squared_error - before.squared_error - node.squared_error < fraction * bound)) return false;
+  if (!(line.squared_error - before.squared_error - node.squared_error < bound)) return false;
   before.tolerance2 = (before.tolerance2 * before.sums.n + node.tolerance2 * node.sums.n) * line.inv_n;
   before.last = node.last;
   before.sums = sums;
@@ -62,11 +69,26 @@ bool LineGrower::mergeIfAlike(Node& before, const Node& node, double fraction) {
 void LineGrower::mergeNeighbors() {
   int kept = 0;
   for (int i = 0; i < count_; ++i) {
-    if (kept > 0 && mergeIfAlike(nodes_[kept - 1], nodes_[i], 1.0)) continue;
+    if (kept > 0 && mergeIfAlike(nodes_[kept - 1], nodes_[i])) continue;
     if (kept != i) nodes_[kept] = nodes_[i];
     ++kept;
   }
   count_ = kept;
+}
+
+// Of as many scanlines as are merged at a time, from one on. Behind the last one it is repeated.
+void LineGrower::mergeMostAlike(const std::vector<float>& orthogonal_ray, const ScanlineSet& set, int first,
+                                const MergeRule& rule) {
+  std::array<const LineSums*, kMergedScanlines> sums;
+  ScanlineLanes inv_k2;
+  for (int lane = 0; lane < kMergedScanlines; ++lane) {
+    const int scanline = std::min(first + lane, set.count() - 1);
+    // The plane through a line that comes nearest to the camera is as far away as the line is in its scan.
+    const double ray = orthogonal_ray[set.pixels[scanline]];
+    inv_k2[lane] = 1.0 / (1.0 + ray * ray);
+    sums[lane] = set.sums.data() + set.indexOf(scanline, 0);
+  }
+  mergeWindows(sums, inv_k2, set.windows, rule, grown_.data(), starts_.data());
 }
 
 void LineGrower::grow(const std::vector<float>& orthogonal_ray, const Parameters& parameters,
@@ -74,17 +96,16 @@ void LineGrower::grow(const std::vector<float>& orthogonal_ray, const Parameters
   set.segments.clear();
   set.segment_of.assign(set.sums.size(), -1);
   nodes_.resize(static_cast<std::size_t>(set.windows));
+  grown_.resize(static_cast<std::size_t>(set.windows));
+  starts_.resize((static_cast<std::size_t>(set.windows) + 63) / 64);
   const DepthTolerance tolerance{parameters.noise, parameters.patches.patch_noise_factor,
                                  parameters.patches.patch_distance};
+  const MergeRule rule{kNoiseError, kMostAlike, kMaxHole, tolerance};
   for (int k = 0; k < set.count(); ++k) {
-    // The plane through a line that comes nearest to the camera is as far away as the line is in its scan.
-    const double ray = orthogonal_ray[set.pixels[k]], inv_k2 = 1.0 / (1.0 + ray * ray);
-    const LineSums* const sums = set.sums.data() + set.indexOf(k, 0);
     // What is most alike grows together before anything doubtful is compared.
-    count_ = 0;
-    for (int i = 0; i < set.windows; ++i) {
-      if (sums[i].n >= kMinLinePixels) addWindow(i, sums[i], inv_k2, tolerance);
-    }
+    const int lane = k % kMergedScanlines;
+    if (lane == 0) mergeMostAlike(orthogonal_ray, set, k, rule);
+    collect(lane, set.windows);
     mergeNeighbors();
     for (int i = 0; i < count_; ++i) {
       const Node& node = nodes_[i];

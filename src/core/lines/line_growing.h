@@ -5,12 +5,10 @@
 
 #include "line_plane_segmentation/parameters.h"
 #include "lines/scanline_set.h"
+#include "lines/window_merging.h"
 #include "planes/inverse_depth_plane.h"
 
 namespace line_plane_segmentation {
-
-/// Fewest valid pixels of a window that is part of a segment.
-constexpr double kMinLinePixels = 2.0;
 
 /// Stage "lines" of the default method: grows line segments along rows and columns of the image.
 ///
@@ -34,12 +32,16 @@ class LineGrower {
     double squared_error, tolerance2;
   };
 
-  void addWindow(int window, const LineSums& sums, double inv_k2, const DepthTolerance& tolerance);
-  static bool mergeIfAlike(Node& before, const Node& node, double fraction);
+  void mergeMostAlike(const std::vector<float>& orthogonal_ray, const ScanlineSet& set, int first,
+                      const MergeRule& rule);
+  void collect(int lane, int windows);
+  static bool mergeIfAlike(Node& before, const Node& node);
   void mergeNeighbors();
 
-  std::vector<Node> nodes_;  // as many as a scanline has windows
-  int count_ = 0;            // of the nodes of one scanline
+  std::vector<GrowingSegments> grown_;  // one per window
+  std::vector<StartBits> starts_;       // one per 64 windows
+  std::vector<Node> nodes_;             // as many as a scanline has windows
+  int count_ = 0;                       // of the nodes of one scanline
 };
 
 /// Estimates the depth errors of an image from windows of its scanlines: distances of a piece of a scanline
