@@ -224,23 +224,23 @@ MergeTree::Comparison& MergeTree::comparisonOf(int a, int b) {
                       kComparisons];
 }
 
-// Merges the clusters of linked candidates if that costs less than a fraction of the limit.
-// @return whether they may be merged later
-bool MergeTree::compare(const CandidateGrid::Link& link, double limit, double fraction) {
+// Merges the clusters of linked candidates if that costs less than the limit of this round.
+// @return whether they may be merged later, since it costs at most `hopeless`
+bool MergeTree::compare(const CandidateGrid::Link& link, double limit, double hopeless) {
   // The newer one first: samples of the candidates, and so isTwoPlanes(), depend on the order.
   const auto [b, a] = std::minmax({find(link.a), find(link.b)});
   if (a == b) return false;
   Comparison& known = comparisonOf(a, b);
-  if (known.a == a && known.b == b && !(known.cost < fraction)) return known.cost <= kHopeless;
+  if (known.a == a && known.b == b && !(known.cost < limit)) return known.cost <= hopeless;
   FittedPixels& both = nodes_[size_];
-  const double cost = combine(a, b, both) ? costOf(a, b, both) / limit : kNever;
-  if (cost < fraction && !isTwoPlanes(a, b, both)) {
+  const double cost = combine(a, b, both) ? costOf(a, b, both) : kNever;
+  if (cost < limit && !isTwoPlanes(a, b, both)) {
     merge(a, b, both);
     return false;
   }
   // Two planes are compared again when either cluster has changed.
-  known = {a, b, cost < fraction ? kHopeless : cost};
-  return known.cost <= kHopeless;
+  known = {a, b, cost < limit ? hopeless : cost};
+  return known.cost <= hopeless;
 }
 
 void MergeTree::mergeLinked(const std::vector<CandidateGrid::Link>& links, double limit,
@@ -250,7 +250,7 @@ void MergeTree::mergeLinked(const std::vector<CandidateGrid::Link>& links, doubl
   for (const double fraction : rounds) {
     std::size_t kept = 0;
     for (const CandidateGrid::Link& link : links_) {
-      if (compare(link, limit, fraction)) links_[kept++] = link;
+      if (compare(link, fraction * limit, kHopeless * limit)) links_[kept++] = link;
     }
     links_.resize(kept);
   }

@@ -99,7 +99,7 @@ class MergeTree {
   /// Two roots, a > b, and the cost of merging them. It never changes: a merge makes a new root.
   struct Comparison {
     int a = -1, b = -1;
-    double cost = 0.0;  ///< in limits
+    double cost = 0.0;  ///< [tolerance²]
   };
 
   void appendCandidates(int i);
@@ -109,7 +109,7 @@ class MergeTree {
   double quadricVarianceOfBoth(int a, int b, const InverseDepthPlane& plane);
   double quadricVarianceOfListed(const InverseDepthPlane& plane);
   Comparison& comparisonOf(int a, int b);
-  bool compare(const CandidateGrid::Link& link, double limit, double fraction);
+  bool compare(const CandidateGrid::Link& link, double limit, double hopeless);
 
   const CandidateGrid* grid_ = nullptr;
   DepthTolerance step_tolerance_;
