@@ -62,6 +62,12 @@ class StageClock : public StageObserver {
   Clock::time_point last_{};
 };
 
+/// Width [px] of a Kinect's image whose pixels see the same angle as those of an image. The default method
+/// resolves its parameters for it (see resolve()), so that sizes stay the same in the view; the published one
+/// for the image's own width.
+/// @param width, height  [px] of the image
+int kinectWidthOf(const CameraIntrinsics& camera, int width, int height);
+
 /// Finds the planes of a depth image with line primitives, after Zhang, Chen and Liu (2016).
 ///
 /// The same input and parameters give the same result, bit by bit, independent of earlier frames. After the

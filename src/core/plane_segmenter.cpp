@@ -31,16 +31,6 @@ void clearLabels(Segmentation& result) {
   std::fill(result.labels.begin(), result.labels.end(), std::uint16_t{0});
 }
 
-// The width of an image with a Kinect's field of view whose pixels see the same angle: sizes in pixels follow
-// it, so that they stay the same in the view whatever the image's size, field of view or orientation is. A
-// lens with a long focal length sees less, not smaller things; the diagonal bounds it.
-int widthOfSamePixels(const CameraIntrinsics& camera, const DepthImage& depth) {
-  constexpr double kKinectWidth = 640.0, kKinectFocalLength = 525.0, kMaxPerDiagonal = 1.2;
-  const double width = kKinectWidth / kKinectFocalLength * std::sqrt(camera.fx * camera.fy);
-  const double bound = kMaxPerDiagonal * std::hypot(depth.width, depth.height);
-  return std::max(1, static_cast<int>(std::lround(std::min(width, bound))));
-}
-
 class SilentObserver final : public StageObserver {
  public:
   void frameStarted() override {}
@@ -48,6 +38,14 @@ class SilentObserver final : public StageObserver {
 };
 
 }  // namespace
+
+// A lens with a long focal length sees less, not smaller things; the diagonal bounds it.
+int kinectWidthOf(const CameraIntrinsics& camera, int width, int height) {
+  constexpr double kKinectWidth = 640.0, kKinectFocalLength = 525.0, kMaxPerDiagonal = 1.2;
+  const double same_angle = kKinectWidth / kKinectFocalLength * std::sqrt(camera.fx * camera.fy);
+  const double bound = kMaxPerDiagonal * std::hypot(width, height);
+  return std::max(1, static_cast<int>(std::lround(std::min(same_angle, bound))));
+}
 
 struct PlaneSegmenter::Stages {
   Parameters parameters;
@@ -80,7 +78,7 @@ void PlaneSegmenter::Stages::load(const DepthView& view, const CameraIntrinsics&
                          static_cast<float>(parameters.scanlines.max_range)};
   result.valid_pixels = loadDepth(view, range, frame.depth);
   frame.rays.compute(camera, view.width, view.height);
-  frame.kinect_width = widthOfSamePixels(camera, frame.depth);
+  frame.kinect_width = kinectWidthOf(camera, view.width, view.height);
   const bool is_paper = parameters.method == Method::kPaper;
   frame.parameters = resolve(parameters, is_paper ? view.width : frame.kinect_width);
   is_perforated = !is_paper && hole_filler.fill(frame.parameters, frame.depth);

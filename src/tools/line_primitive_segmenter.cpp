@@ -13,7 +13,10 @@ int scaled(int value, double factor) { return std::max(1, static_cast<int>(std::
 
 // Resolves the parameters from the image, as PlaneSegmenter does. Only this function depends on that rule.
 Parameters resolvedFor(const LabelledFrame& frame, const Parameters& parameters) {
-  return resolve(parameters, frame.depth.cols);
+  const int width = parameters.method == Method::kPaper
+                        ? frame.depth.cols
+                        : kinectWidthOf(frame.camera, frame.depth.cols, frame.depth.rows);
+  return resolve(parameters, width);
 }
 
 // Scales the spacings that are set; the others follow from the first of them.

@@ -267,6 +267,14 @@ TEST_P(PlaneSegmenterTest, WorksOnWhenMoved) {
   EXPECT_EQ(segment(viewOf(pixels.data(), 320, 240), first).planes.size(), 1U);
 }
 
+TEST(KinectWidth, FollowsTheAngleThatAPixelSees) {
+  EXPECT_EQ(kinectWidthOf({525.0, 525.0, 319.5, 239.5}, 640, 480), 640);
+  EXPECT_EQ(kinectWidthOf({525.0, 525.0, 239.5, 319.5}, 480, 640), 640) << "turned";
+  EXPECT_EQ(kinectWidthOf({262.5, 262.5, 159.5, 119.5}, 320, 240), 320);
+  EXPECT_EQ(kinectWidthOf({5250.0, 5250.0, 319.5, 239.5}, 640, 480), 960) << "1.2 diagonals";
+  EXPECT_EQ(kinectWidthOf({1e-9, 1e-9, 0.0, 0.0}, 1, 1), 1);
+}
+
 INSTANTIATE_TEST_SUITE_P(Methods, PlaneSegmenterTest, testing::Values(Method::kPaper, Method::kAdaptive),
                          [](const auto& method) {
                            return method.param == Method::kPaper ? "Paper" : "Adaptive";

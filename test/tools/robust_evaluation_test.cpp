@@ -107,6 +107,17 @@ TEST(LinePrimitiveSegmenter, ScalesSpacings) {
   EXPECT_EQ(LinePrimitiveSegmenter(parameters).gridSpacing(frame, wide), 14);
 }
 
+// An image that is turned, or cropped, has pixels of the same size.
+TEST(LinePrimitiveSegmenter, ScalesWhatSuitsTheCamera) {
+  LabelledFrame frame;
+  frame.camera = {525.0, 525.0, 239.5, 319.5};
+  frame.depth = cv::Mat(640, 480, CV_16UC1, cv::Scalar(1500));
+  EXPECT_EQ(LinePrimitiveSegmenter(Parameters{}).gridSpacing(frame, {}), 12);
+  Parameters paper;
+  paper.method = Method::kPaper;
+  EXPECT_LT(LinePrimitiveSegmenter(paper).gridSpacing(frame, {}), 30);
+}
+
 TEST(LinePrimitiveSegmenter, SegmentsAsThePackageDoes) {
   const LabelledFrame frame = twoRegions();  // one wall in front of the camera
   LinePrimitiveSegmenter segmenter{Parameters{}};
