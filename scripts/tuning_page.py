@@ -21,7 +21,7 @@ FACTOR = 4.0  # from the default to the smaller and the larger value
 
 # Values for parameters whose default is 0, or for which multiples of the default are not instructive.
 VALUES = {
-    "scanline_spacing": (6, 0, 40), "line_window": (5, 0, 31), "min_line_points": (10, 0, 90),
+    "scanline_spacing": (6, 0, 40), "line_window": (3, 0, 31), "min_line_points": (2, 0, 90),
     "points_per_segment": (1, 3, 5), "normal_window": (8, 0, 60), "min_window_points": (20, 0, 1500),
     "min_plane_inliers": (300, 0, 20000), "min_plane_area": (0.0, 0.2, 1.0), "min_region_pixels": (10, 0, 3000),
     "min_range": (0.3, 1.5, 2.5), "max_range": (2.0, 3.0, 10.0), "min_patches": (1, 3, 30),

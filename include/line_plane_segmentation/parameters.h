@@ -63,10 +63,10 @@ struct ScanlineParameters {
 /// With a bound of 3, 15 to 20 % of a distant plane are lost; with 6, half of the creases of 30 degrees. The
 /// noise of a real sensor is correlated between pixels, so more windows are accepted.
 struct LineParameters {
-  /// [px] Number of points of a line fit, Nf, 0 = from the image width; paper: 11 (VGA), 7 (QVGA).
-  /// Increase to reduce the effect of noise; decrease to find shorter segments.
+  /// [px] Number of points of a line fit, Nf, 0 = from the image width, at most half of scanline_spacing;
+  /// paper: 11 (VGA), 7 (QVGA). Increase to reduce the effect of noise; decrease to find shorter segments.
   int line_window = 0;
-  /// [px] Shortest line segment, Nl, 0 = from the image width; paper: 30 (VGA), 23 (QVGA). Increase
+  /// [px] Shortest line segment, Nl, 0 = one less than line_window; paper: 30 (VGA), 23 (QVGA). Increase
   /// to get fewer, more reliable candidates; decrease to find smaller planes.
   int min_line_points = 0;
   /// [-] Largest Mahalanobis distance of three adjacent windows. Increase to accept bent lines as
@@ -238,9 +238,9 @@ std::vector<std::string> changesWithoutEffect(const Parameters& before, const Pa
 /// @return one line per changed value, with its name; empty if no value was changed
 std::vector<std::string> sanitize(Parameters& parameters);
 
-/// Replaces each 0 that means "from the image width" by a value: the paper's at 640 and at 320 pixels,
+/// Replaces each 0 that means "from the image width" by a value: the method's at 640 and at 320 pixels,
 /// interpolated between these widths, and scaled beyond them, so that sizes stay constant as viewing angles.
-/// @param width  [px], at least 1
+/// @param width  [px], at least 1: of the image for Method::kPaper, kinectWidthOf() it for Method::kAdaptive
 Parameters resolve(const Parameters& parameters, int width);
 
 /// The presets: "kinect" (the defaults; Kinect v1, Xtion), "stereo" (stereo cameras of the D435 class),

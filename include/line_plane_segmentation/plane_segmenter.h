@@ -64,7 +64,9 @@ class StageClock : public StageObserver {
 
 /// Width [px] of a Kinect's image whose pixels see the same angle as those of an image. The default method
 /// resolves its parameters for it (see resolve()), so that sizes stay the same in the view; the published one
-/// for the image's own width.
+/// for the image's own width. At least 1, and at most 1.2 times the diagonal of the image: a lens with a long
+/// focal length sees less, not smaller things.
+/// @param camera         valid, see CameraIntrinsics::isValid()
 /// @param width, height  [px] of the image
 int kinectWidthOf(const CameraIntrinsics& camera, int width, int height);
 

@@ -39,7 +39,6 @@ class SilentObserver final : public StageObserver {
 
 }  // namespace
 
-// A lens with a long focal length sees less, not smaller things; the diagonal bounds it.
 int kinectWidthOf(const CameraIntrinsics& camera, int width, int height) {
   constexpr double kKinectWidth = 640.0, kKinectFocalLength = 525.0, kMaxPerDiagonal = 1.2;
   const double same_angle = kKinectWidth / kKinectFocalLength * std::sqrt(camera.fx * camera.fy);

@@ -158,15 +158,10 @@ TEST(PieceOfCurved, BelongsToARestOfEightCandidatesAndAsLargeAsItself) {
   EXPECT_FALSE(Pieces({4, 5, 4, 2.0, 0.001, 0.0}).isPieceOfCurved()) << "the larger one";
 }
 
-constexpr int kColumns = 5;  // of each of two equal pieces
+constexpr int kColumns = 5;  // of the first of two pieces
 
-/// The number of planes, and of clusters, that are found in two pieces, of which the first one has kColumns.
-/// @param links  between the pieces
-std::pair<int, int> countPlanesAndClusters(MadeCandidates made, int links, double merge_cost,
-                                           double max_bend) {
-  made.linkColumns(0, kColumns);
-  made.linkColumns(kColumns, made.columns);
-  for (int row = 0; row < links; ++row) made.link(kColumns - 1, row, kColumns, row);
+/// The number of planes, and of clusters, that are found in linked candidates.
+std::pair<int, int> countPlanesAndClusters(const MadeCandidates& made, double merge_cost, double max_bend) {
   Parameters parameters = adaptiveParameters(320);
   parameters.clusters.merge_cost = merge_cost;
   parameters.clusters.coplanar_cost = 0.0;
@@ -178,6 +173,16 @@ std::pair<int, int> countPlanesAndClusters(MadeCandidates made, int links, doubl
   const auto planes = std::count_if(clusters.begin(), clusters.end(),
                                     [](const PlaneCluster& cluster) { return cluster.is_plane; });
   return {static_cast<int>(planes), static_cast<int>(clusters.size())};
+}
+
+/// The same of two pieces, of which the first one has kColumns.
+/// @param links  between the pieces
+std::pair<int, int> countPlanesAndClusters(MadeCandidates made, int links, double merge_cost,
+                                           double max_bend) {
+  made.linkColumns(0, kColumns);
+  made.linkColumns(kColumns, made.columns);
+  for (int row = 0; row < links; ++row) made.link(kColumns - 1, row, kColumns, row);
+  return countPlanesAndClusters(made, merge_cost, max_bend);
 }
 
 /// The number of planes found in two equal pieces that are not merged.
@@ -217,6 +222,43 @@ TEST(Strip, BesideACurvedSurfaceIsPartOfItIfNarrowerThanTwoCandidates) {
   EXPECT_EQ(countStrips(1, 3), 0);
   EXPECT_EQ(countStrips(1, 2), 1) << "two links are chance";
   EXPECT_EQ(countStrips(2, 3), 1);
+}
+
+/// The number of planes in a curved surface, a flat column beside it, and a shorter one beside that.
+/// @param first_row  of the shorter column: if it ends before the other one does, its cluster comes first
+int countPlanesInColumns(int first_row) {
+  constexpr double kMergeCost = 100.0, kMaxBend = 1.0;
+  constexpr int kRows = 8, kShort = 6, kLast = kColumns + 1;
+  MadeCandidates made(kLast + 1, kRows);
+  const auto is_there = [first_row](int column, int row) {
+    return column < kLast || (row >= first_row && row < first_row + kShort);
+  };
+  // The columns are tilted against each other: parallel ones would be in one plane. One of them is bent by
+  // less than kMaxBend, so that they are not in one quadric surface either.
+  const auto surface = [](int column, int row) {
+    if (column < kColumns) return 1.0 * column * column;
+    return column == kColumns ? 100.0 + 0.17 * row * row : 200.0 + 40.0 * row;
+  };
+  for (int row = 0; row < kRows; ++row) {
+    for (int column = 0; column <= kLast; ++column) {
+      if (is_there(column, row)) made.add(column, row, 1000.0 + surface(column, row));
+    }
+  }
+  for (int row = 0; row < kRows; ++row) {
+    for (int column = 0; column <= kLast; ++column) {
+      if (column < kLast && is_there(column + 1, row)) made.link(column, row, column + 1, row);
+      if (row + 1 < kRows && is_there(column, row) && is_there(column, row + 1))
+        made.link(column, row, column, row + 1);
+    }
+  }
+  const auto [planes, clusters] = countPlanesAndClusters(made, kMergeCost, kMaxBend);
+  EXPECT_EQ(clusters, 3);
+  return planes;
+}
+
+TEST(Strip, ThatGoesDropsNoneBesideIt) {
+  EXPECT_EQ(countPlanesInColumns(0), 1);
+  EXPECT_EQ(countPlanesInColumns(2), 1);
 }
 
 // The surface leaves a variance of 5, a plane in each piece 8.

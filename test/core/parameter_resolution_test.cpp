@@ -154,9 +154,9 @@ TEST(Resolve, GivesTheDefaultsOfTheDefaultMethod) {
   EXPECT_EQ(values_at(320), (std::vector<int>{10, 4, 3, 525, 100}));
 }
 
-TEST(Resolve, HasWindowsNoLongerThanHalfAGivenSpacing) {
+TEST(Resolve, HasWindowsOfAtMostHalfAGivenSpacingAndAtLeastThree) {
   Parameters given;
-  for (const auto& [spacing, window] : {std::pair{4, 3}, {8, 4}, {9, 4}, {10, 5}, {30, 5}}) {
+  for (const auto& [spacing, window] : {std::pair{1, 3}, {4, 3}, {5, 3}, {6, 3}, {8, 4}, {9, 4}, {10, 5}, {30, 5}}) {
     given.scanlines.scanline_spacing = spacing;
     EXPECT_EQ(resolve(given, 640).lines.line_window, window) << spacing;
   }

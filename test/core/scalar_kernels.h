@@ -7,7 +7,7 @@
 #include "lines/window_merging.h"
 
 /// The vectorised functions of row_kernels.h, line_kernels.h, window_merging.h and hole_kernels.h compiled
-/// once more, one pixel after the other and for the plainest of machines.
+/// once more for the plainest of machines: loops without vectors, vectors by name in the smallest registers.
 namespace scalar_twin {
 namespace line_plane_segmentation {
 

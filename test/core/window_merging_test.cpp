@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Four scanlines at a time against one window after the other, and against itself compiled without vectors,
-// bit by bit.
+// Four scanlines at a time against one window after the other, and against itself compiled for the
+// plainest of machines, bit by bit.
 #include "lines/window_merging.h"
 
 #include <gtest/gtest.h>

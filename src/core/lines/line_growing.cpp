@@ -95,6 +95,7 @@ void LineGrower::grow(const std::vector<float>& orthogonal_ray, const Parameters
                       ScanlineSet& set) {
   set.segments.clear();
   set.segment_of.assign(set.sums.size(), -1);
+  if (set.count() == 0) return;
   nodes_.resize(static_cast<std::size_t>(set.windows));
   grown_.resize(static_cast<std::size_t>(set.windows));
   starts_.resize((static_cast<std::size_t>(set.windows) + 63) / 64);

@@ -149,13 +149,15 @@ void PlaneClusterer::dropPiecesOfCurved(const CandidateGrid& grid, double fracti
     const double max_bend = allowDistortion(parameters.max_bend, candidates * fraction_per_candidate);
     if (tree_.varianceOfBoth(small, large) > max_bend) drop(large);
   }
-  // Then the strips beside what is left of no plane.
+  // Then the strips beside what is no plane by now: a strip that goes drops none beside it.
+  strips_.clear();
   for (std::size_t first = 0, last = 0; first < neighbors_.size(); first = last) {
     while (last < neighbors_.size() && neighbors_[last] == neighbors_[first]) ++last;
     const auto [small, large] = neighbors_[first];
     if (last - first < kMinLinks || !is_plane(small) || is_plane(large)) continue;
-    if (widthOf(tree_.candidatesOf(small), grid) < kStrip) drop(small);
+    if (widthOf(tree_.candidatesOf(small), grid) < kStrip) strips_.push_back(small);
   }
+  for (const int strip : strips_) drop(strip);
 }
 
 void PlaneClusterer::cluster(const DepthImage& depth, const ViewRays& rays, const CandidateGrid& grid,

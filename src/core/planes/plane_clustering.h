@@ -23,8 +23,8 @@ struct PlaneCluster : FittedPixels {
 /// is flat and not curved. Of a cluster that is not, its parts are planes if most of it belongs to such parts
 /// and they explain it better than one quadric surface; otherwise it is a curved or rough surface. A plane
 /// and a larger neighbour that one quadric surface explains as well are pieces of a curved surface, and the
-/// smaller one is no plane; nor is the larger one if both are bent too much, nor a strip of one column of
-/// candidates beside a surface that is none. Coplanar planes are merged across what occludes them. Then
+/// smaller one is no plane; nor is the larger one if both are bent too much, nor a strip less than two
+/// candidates wide beside a surface that is none. Coplanar planes are merged across what occludes them. Then
 /// clusters of fewer than `min_patches` candidates are removed.
 class PlaneClusterer {
  public:
@@ -55,6 +55,7 @@ class PlaneClusterer {
   std::vector<int> owner_;   // node per candidate, -1 if it is in neither of them
   std::vector<std::pair<int, int>>
       neighbors_;  // two nodes, the smaller one first, for each link between them
+  std::vector<int> strips_;  // nodes
 };
 
 }  // namespace line_plane_segmentation

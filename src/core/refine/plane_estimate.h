@@ -29,8 +29,8 @@ PlaneEstimate estimatePlane(const PlaneCluster& cluster);
 /// narrow as the noise is large.)
 ///
 /// The errors of its pixels are shared by many of them, since the disparity's steps run along the surface and
-/// at its borders pixels see something else, too: its covariance takes them for no more than twelve
-/// independent ones.
+/// at its borders pixels see something else, too: its covariance takes them for no more than 48 independent
+/// ones.
 /// @param fit  the plane if the pixels are too few for a regression
 PlaneEstimate estimateFromPixels(const PlaneFit& fit, const PointMoments& moments);
 
