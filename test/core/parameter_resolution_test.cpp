@@ -156,7 +156,8 @@ TEST(Resolve, GivesTheDefaultsOfTheDefaultMethod) {
 
 TEST(Resolve, HasWindowsOfAtMostHalfAGivenSpacingAndAtLeastThree) {
   Parameters given;
-  for (const auto& [spacing, window] : {std::pair{1, 3}, {4, 3}, {5, 3}, {6, 3}, {8, 4}, {9, 4}, {10, 5}, {30, 5}}) {
+  for (const auto& [spacing, window] :
+       {std::pair{1, 3}, {4, 3}, {5, 3}, {6, 3}, {8, 4}, {9, 4}, {10, 5}, {30, 5}}) {
     given.scanlines.scanline_spacing = spacing;
     EXPECT_EQ(resolve(given, 640).lines.line_window, window) << spacing;
   }

@@ -161,8 +161,8 @@ TEST(FusionQuality, tenImagesHalveTheErrorOfOne) {
 
 // The errors that remain are those of the segmentation. The camera moves by decimetres in these five seconds,
 // so that they are different in each image. The distance has a bound of its own as well: one relative to the
-// single image alone would reward inaccurate images. Small planes, few of which are seen in all images, would outweigh the
-// others.
+// single image alone would reward inaccurate images. Small planes, few of which are seen in all images, would
+// outweigh the others.
 TEST(FusionQuality, tenImagesHalveTheErrorOfOneWithAnExactPose) {
   const auto [single, fused] = compareInRooms({40, 4000, 320, 2.0, 0.0, 0.0, exactPose()});
   EXPECT_GT(fused.count, 200);

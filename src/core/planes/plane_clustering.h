@@ -54,7 +54,7 @@ class PlaneClusterer {
   std::vector<int> parts_;   // nodes still to be judged
   std::vector<int> owner_;   // node per candidate, -1 if it is in neither of them
   std::vector<std::pair<int, int>>
-      neighbors_;  // two nodes, the smaller one first, for each link between them
+      neighbors_;            // two nodes, the smaller one first, for each link between them
   std::vector<int> strips_;  // nodes
 };
 
