@@ -238,9 +238,9 @@ std::vector<std::string> changesWithoutEffect(const Parameters& before, const Pa
 /// @return one line per changed value, with its name; empty if no value was changed
 std::vector<std::string> sanitize(Parameters& parameters);
 
-/// Replaces each 0 that means "from the image width" by a value: the method's at 640 and at 320 pixels,
+/// Replaces each 0 that stands for a value by it: for lengths the method's at 640 and at 320 pixels,
 /// interpolated between these widths, and scaled beyond them, so that sizes stay constant as viewing angles.
-/// @param width  [px], at least 1: of the image for Method::kPaper, kinectWidthOf() it for Method::kAdaptive
+/// @param width  [px], at least 1: of the image for Method::kPaper, kinectWidthOf() for Method::kAdaptive
 Parameters resolve(const Parameters& parameters, int width);
 
 /// The presets: "kinect" (the defaults; Kinect v1, Xtion), "stereo" (stereo cameras of the D435 class),
